@@ -1,0 +1,3 @@
+//! The command `restitution`.
+
+fn main() {}

@@ -1,0 +1,1 @@
+//! Certified direct integration of the equation of motion, for every velocity.

@@ -1,0 +1,140 @@
+use crate::LawError;
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+use std::fmt;
+use std::str::FromStr;
+
+/// The exponents of the scaled equation of motion `x'' + u x^gamma x' + x^a = 0`.
+///
+/// Section II of [RPBS1999] with `alpha = a` and `beta = 1`; colliding viscoelastic spheres are
+/// `a = 3/2`, `gamma = 1/2` (eq. 5). Exact: the exponents are rational numbers.
+///
+/// # Examples
+///
+/// ```
+/// use restitution_law::{ForceLaw, LawError};
+///
+/// let spheres = ForceLaw::viscoelastic_spheres();
+/// assert_eq!(spheres, "3/2,1/2".parse()?);
+/// assert_eq!(spheres.velocity_exponent().to_string(), "1/5"); // u ~ g^(1/5)
+///
+/// assert!(matches!("3/2,-1".parse::<ForceLaw>(), Err(LawError::DampingExponent { .. })));
+/// # Ok::<(), LawError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct ForceLaw {
+    a: BigRational,
+    gamma: BigRational,
+}
+
+impl ForceLaw {
+    /// Returns the law with elastic exponent `a` and damping exponent `gamma`.
+    ///
+    /// # Errors
+    ///
+    /// [`LawError::ElasticExponent`] unless `a > 0`, [`LawError::DampingExponent`] unless `gamma > -1`.
+    pub fn new(a: BigRational, gamma: BigRational) -> Result<Self, LawError> {
+        if !a.is_positive() {
+            return Err(LawError::ElasticExponent { a });
+        }
+        if gamma <= -BigRational::one() {
+            return Err(LawError::DampingExponent { gamma });
+        }
+        Ok(Self { a, gamma })
+    }
+
+    /// Returns the law of viscoelastic spheres, `a = 3/2`, `gamma = 1/2` (eq. 5).
+    pub fn viscoelastic_spheres() -> Self {
+        let half = |n: i64| BigRational::new(n.into(), 2.into());
+        Self { a: half(3), gamma: half(1) }
+    }
+
+    /// The elastic exponent `a`.
+    pub fn a(&self) -> &BigRational {
+        &self.a
+    }
+
+    /// The damping exponent `gamma`.
+    pub fn gamma(&self) -> &BigRational {
+        &self.gamma
+    }
+
+    /// The exponent `a + 1` of the elastic monomial `s = t^(a+1)`.
+    pub fn elastic_step(&self) -> BigRational {
+        &self.a + BigRational::one()
+    }
+
+    /// The exponent `gamma + 1` of the damping monomial `w = u t^(gamma+1)`.
+    pub fn damping_step(&self) -> BigRational {
+        &self.gamma + BigRational::one()
+    }
+
+    /// The exponent `p = (2 gamma - a + 1)/(a + 1)` with which `u ~ g^p` grows with impact velocity.
+    ///
+    /// Eq. (11) with `beta = 1`; 1/5 for spheres, 0 where the restitution coefficient is constant
+    /// (eq. 12).
+    pub fn velocity_exponent(&self) -> BigRational {
+        let two = BigRational::from_integer(2.into());
+        (two * &self.gamma - &self.a + BigRational::one()) / self.elastic_step()
+    }
+
+    /// Whether the damping force is the time derivative of the elastic one, `gamma = a - 1` (eq. 13).
+    pub fn is_viscoelastic(&self) -> bool {
+        self.damping_step() == self.a
+    }
+}
+
+impl fmt::Display for ForceLaw {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{},{}", self.a, self.gamma)
+    }
+}
+
+impl FromStr for ForceLaw {
+    type Err = LawError;
+
+    fn from_str(text: &str) -> Result<Self, LawError> {
+        let not_a_law = || LawError::NotALaw { text: text.to_owned() };
+        let (a, gamma) = text.split_once(',').ok_or_else(not_a_law)?;
+        let a = parse_rational(a).ok_or_else(not_a_law)?;
+        let gamma = parse_rational(gamma).ok_or_else(not_a_law)?;
+        Self::new(a, gamma)
+    }
+}
+
+/// Reads `-3/2`, `1.001` or `4` exactly.
+fn parse_rational(text: &str) -> Option<BigRational> {
+    let text = text.trim();
+    if text.len() > 60 {
+        return None;
+    }
+    if let Some((numerator, denominator)) = text.split_once('/') {
+        let (n, d) = (numerator.trim().parse::<BigInt>().ok()?, denominator.trim().parse::<BigInt>().ok()?);
+        return d.is_positive().then(|| BigRational::new(n, d));
+    }
+    let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
+    if !fraction.bytes().all(|b| b.is_ascii_digit()) || (fraction.is_empty() && text.contains('.')) {
+        return None;
+    }
+    let numerator = format!("{whole}{fraction}").parse::<BigInt>().ok()?;
+    Some(BigRational::new(numerator, BigInt::from(10).pow(u32::try_from(fraction.len()).ok()?)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimals_are_read_exactly() {
+        let law: ForceLaw = "1.001, -0.25".parse().unwrap();
+        assert_eq!(law.to_string(), "1001/1000,-1/4");
+    }
+
+    #[test]
+    fn nonsense_is_refused() {
+        for text in ["", "3/2", "3/0,1", "1.5.5,1", "x,1", "1e3,1", "-1,0"] {
+            assert!(text.parse::<ForceLaw>().is_err(), "{text}");
+        }
+    }
+}

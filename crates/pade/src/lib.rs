@@ -1,0 +1,1 @@
+//! Pade approximants of exact and certified series.

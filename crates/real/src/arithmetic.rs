@@ -1,0 +1,183 @@
+//! The field operations: each states the error it adds.
+
+use crate::Ball;
+use crate::ball::{RADIUS_BITS, magnitude_up, rounding_error};
+use num_traits::{One, Zero};
+use rug::Float;
+use rug::float::Round;
+use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound};
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// `|(x + y) - (X + Y)| <= rx + ry + rounding`.
+fn add(x: &Ball, y: &Ball) -> Ball {
+    let prec = x.prec().max(y.prec());
+    let (mid, direction) = Float::with_val_round(prec, &x.mid + &y.mid, Round::Nearest);
+    let mut rad = rounding_error(&mid, direction);
+    rad.add_assign_round(&x.rad, Round::Up);
+    rad.add_assign_round(&y.rad, Round::Up);
+    Ball::new(mid, &rad)
+}
+
+/// As [`add`], with the sign of `y` turned.
+fn sub(x: &Ball, y: &Ball) -> Ball {
+    let prec = x.prec().max(y.prec());
+    let (mid, direction) = Float::with_val_round(prec, &x.mid - &y.mid, Round::Nearest);
+    let mut rad = rounding_error(&mid, direction);
+    rad.add_assign_round(&x.rad, Round::Up);
+    rad.add_assign_round(&y.rad, Round::Up);
+    Ball::new(mid, &rad)
+}
+
+/// `|x y - X Y| <= |x| ry + |y| rx + rx ry + rounding`.
+fn mul(x: &Ball, y: &Ball) -> Ball {
+    let prec = x.prec().max(y.prec());
+    if !x.is_finite() || !y.is_finite() {
+        return Ball::whole_line(prec);
+    }
+    let (mid, direction) = Float::with_val_round(prec, &x.mid * &y.mid, Round::Nearest);
+    let mut rad = rounding_error(&mid, direction);
+    if !y.rad.is_zero() {
+        let mut part = x.abs_up();
+        part.mul_assign_round(&y.rad, Round::Up);
+        rad.add_assign_round(&part, Round::Up);
+    }
+    if !x.rad.is_zero() {
+        let mut part = magnitude_up(&y.mid);
+        part.mul_assign_round(&x.rad, Round::Up);
+        rad.add_assign_round(&part, Round::Up);
+    }
+    Ball::new(mid, &rad)
+}
+
+/// `|x/y - X/Y| <= (rx + |x/y| ry)/min|Y| + rounding`; the whole line if `y` contains 0.
+fn div(x: &Ball, y: &Ball) -> Ball {
+    let prec = x.prec().max(y.prec());
+    if y.contains_zero() || !x.is_finite() {
+        return Ball::whole_line(prec);
+    }
+    let (mid, direction) = Float::with_val_round(prec, &x.mid / &y.mid, Round::Nearest);
+    let rounding = rounding_error(&mid, direction);
+    let mut rad = magnitude_up(&mid);
+    rad.add_assign_round(&rounding, Round::Up);
+    rad.mul_assign_round(&y.rad, Round::Up);
+    rad.add_assign_round(&x.rad, Round::Up);
+    rad.div_assign_round(&y.abs_down(), Round::Up);
+    rad.add_assign_round(&rounding, Round::Up);
+    Ball::new(mid, &rad)
+}
+
+macro_rules! field_operation {
+    ($trait:ident, $method:ident, $assign_trait:ident, $assign_method:ident, $function:ident) => {
+        impl $trait<&Ball> for &Ball {
+            type Output = Ball;
+            fn $method(self, other: &Ball) -> Ball {
+                $function(self, other)
+            }
+        }
+        impl $trait<Ball> for Ball {
+            type Output = Ball;
+            fn $method(self, other: Ball) -> Ball {
+                $function(&self, &other)
+            }
+        }
+        impl $trait<&Ball> for Ball {
+            type Output = Ball;
+            fn $method(self, other: &Ball) -> Ball {
+                $function(&self, other)
+            }
+        }
+        impl $trait<Ball> for &Ball {
+            type Output = Ball;
+            fn $method(self, other: Ball) -> Ball {
+                $function(self, &other)
+            }
+        }
+        impl $assign_trait<&Ball> for Ball {
+            fn $assign_method(&mut self, other: &Ball) {
+                *self = $function(self, other);
+            }
+        }
+        impl $assign_trait<Ball> for Ball {
+            fn $assign_method(&mut self, other: Ball) {
+                *self = $function(self, &other);
+            }
+        }
+    };
+}
+
+field_operation!(Add, add, AddAssign, add_assign, add);
+field_operation!(Sub, sub, SubAssign, sub_assign, sub);
+field_operation!(Mul, mul, MulAssign, mul_assign, mul);
+field_operation!(Div, div, DivAssign, div_assign, div);
+
+impl Neg for Ball {
+    type Output = Ball;
+    fn neg(mut self) -> Ball {
+        self.mid = -self.mid;
+        self
+    }
+}
+
+impl Neg for &Ball {
+    type Output = Ball;
+    fn neg(self) -> Ball {
+        -self.clone()
+    }
+}
+
+impl Zero for Ball {
+    fn zero() -> Self {
+        Self::constant(0)
+    }
+
+    /// Whether the ball is exactly the point 0; see [`Ball::contains_zero`] for "may be zero".
+    fn is_zero(&self) -> bool {
+        self.mid.is_zero() && self.rad.is_zero()
+    }
+}
+
+impl One for Ball {
+    fn one() -> Self {
+        Self::constant(1)
+    }
+}
+
+impl Ball {
+    /// Returns the ball times `2^power`, exactly.
+    #[must_use]
+    pub fn shifted(&self, power: i32) -> Self {
+        let mut out = self.clone();
+        out.mid <<= power;
+        out.rad <<= power;
+        out
+    }
+
+    /// Returns the absolute value.
+    #[must_use]
+    pub fn abs(&self) -> Self {
+        if self.contains_zero() {
+            let upper = self.abs_up();
+            let half = Float::with_val_round(RADIUS_BITS, &upper / 2u32, Round::Up).0;
+            return Self::new(Float::with_val(self.prec().max(RADIUS_BITS), &half), &half);
+        }
+        if self.is_negative() { -self.clone() } else { self.clone() }
+    }
+
+    /// Returns `x^n`; the whole line where a negative power meets zero.
+    #[must_use]
+    pub fn powi(&self, n: i64) -> Self {
+        let mut result = Self::one();
+        let mut base = self.clone();
+        let mut left = n.unsigned_abs();
+        while left > 0 {
+            if left & 1 == 1 {
+                result *= &base;
+            }
+            left >>= 1;
+            if left > 0 {
+                base = &base * &base;
+            }
+        }
+        if n < 0 { Self::one() / result } else { result }
+    }
+}

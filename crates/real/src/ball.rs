@@ -1,0 +1,329 @@
+use num_bigint::{BigInt, Sign};
+use num_rational::BigRational;
+use rug::float::Round;
+use rug::ops::{AddAssignRound, AssignRound, SubAssignRound};
+use rug::{Assign, Float, Integer, Rational};
+use std::cmp::Ordering;
+use std::fmt;
+
+/// Bits of a radius: it is only ever an upper bound, so few are enough.
+pub(crate) const RADIUS_BITS: u32 = 32;
+/// Bits of an exact constant that has not met a working precision yet.
+const CONSTANT_BITS: u32 = 64;
+
+/// A real number known to lie within `radius` of `midpoint`.
+///
+/// ```text
+/// ball = { x : |x - midpoint| <= radius }
+/// ```
+///
+/// Operations return a ball that contains every result of exact operands from the given balls, at
+/// the larger of the operands' precisions: an exact constant such as `Ball::one()` takes the
+/// precision of what it meets. Where no finite ball can be given (division by a ball that contains
+/// zero, a logarithm that reaches zero) the result is the whole line, which [`Ball::is_finite`]
+/// tells; nothing panics.
+///
+/// # Examples
+///
+/// ```
+/// use restitution_real::Ball;
+///
+/// let third = Ball::from_ratio(1, 3, 100);
+/// let one = &third + &third + &third;
+/// assert!(one.contains(&Ball::from_integer(1, 100)));
+///
+/// let zero = &third - &third;
+/// assert!(!(one / zero).is_finite());
+/// ```
+#[derive(Clone)]
+pub struct Ball {
+    pub(crate) mid: Float,
+    pub(crate) rad: Float,
+}
+
+impl Ball {
+    /// Returns the ball with the given midpoint and radius.
+    ///
+    /// The precision of the ball is that of `mid`. The radius is rounded up; a negative or NaN
+    /// radius gives the whole line.
+    pub fn new(mid: Float, rad: &Float) -> Self {
+        let rad = Float::with_val_round(RADIUS_BITS, rad, Round::Up).0;
+        if !mid.is_finite() || rad.is_nan() || rad < 0 {
+            return Self::whole_line(mid.prec());
+        }
+        Self { mid, rad }
+    }
+
+    /// Returns the whole real line, what is known when nothing is.
+    pub fn whole_line(prec: u32) -> Self {
+        Self { mid: Float::new(prec), rad: Float::with_val(RADIUS_BITS, rug::float::Special::Infinity) }
+    }
+
+    /// Returns the midpoint as an exact ball of its own.
+    pub fn exact(mid: Float) -> Self {
+        Self::new(mid, &Float::new(RADIUS_BITS))
+    }
+
+    /// Returns the integer `n`, rounded to `prec` bits.
+    pub fn from_integer(n: i64, prec: u32) -> Self {
+        Self::rounded(prec, n)
+    }
+
+    /// Returns the fraction `numerator/denominator`, rounded to `prec` bits; the whole line if the
+    /// denominator is 0.
+    pub fn from_ratio(numerator: i64, denominator: i64, prec: u32) -> Self {
+        if denominator == 0 {
+            return Self::whole_line(prec);
+        }
+        Self::rounded(prec, &Rational::from((numerator, denominator)))
+    }
+
+    /// Returns an exact rational number, rounded to `prec` bits.
+    pub fn from_rational(value: &BigRational, prec: u32) -> Self {
+        Self::rounded(prec, &rug_rational(value))
+    }
+
+    /// Returns a big integer, rounded to `prec` bits.
+    pub fn from_big_integer(value: &Integer, prec: u32) -> Self {
+        Self::rounded(prec, value)
+    }
+
+    /// Returns the double `value`, exactly; the whole line if it is NaN or infinite.
+    pub fn from_f64(value: f64, prec: u32) -> Self {
+        if value.is_finite() { Self::rounded(prec.max(53), value) } else { Self::whole_line(prec) }
+    }
+
+    /// Returns the smallest ball of this precision around `[lower, upper]`.
+    pub fn between(lower: &Float, upper: &Float, prec: u32) -> Self {
+        let (mid, _) = Float::with_val_round(prec, lower + upper, Round::Nearest);
+        let mid = mid / 2u32;
+        let below = Float::with_val_round(RADIUS_BITS, &mid - lower, Round::Up).0;
+        let above = Float::with_val_round(RADIUS_BITS, upper - &mid, Round::Up).0;
+        Self::new(mid, &below.max(&above))
+    }
+
+    /// Rounds anything MPFR can take to `prec` bits, with the rounding error as radius.
+    pub(crate) fn rounded<T>(prec: u32, value: T) -> Self
+    where
+        Float: AssignRound<T, Round = Round, Ordering = Ordering>,
+    {
+        let (mid, direction) = Float::with_val_round(prec, value, Round::Nearest);
+        let rad = rounding_error(&mid, direction);
+        Self::new(mid, &rad)
+    }
+
+    /// The working precision in bits.
+    pub fn prec(&self) -> u32 {
+        self.mid.prec()
+    }
+
+    /// Returns the same ball with its midpoint rounded to `prec` bits.
+    pub fn with_prec(&self, prec: u32) -> Self {
+        let mut out = Self::rounded(prec, &self.mid);
+        out.widen(&self.rad);
+        out
+    }
+
+    /// The midpoint.
+    pub fn mid(&self) -> &Float {
+        &self.mid
+    }
+
+    /// The radius.
+    pub fn rad(&self) -> &Float {
+        &self.rad
+    }
+
+    /// A lower bound, rounded down.
+    pub fn lower(&self) -> Float {
+        Float::with_val_round(self.prec(), &self.mid - &self.rad, Round::Down).0
+    }
+
+    /// An upper bound, rounded up.
+    pub fn upper(&self) -> Float {
+        Float::with_val_round(self.prec(), &self.mid + &self.rad, Round::Up).0
+    }
+
+    /// An upper bound of `|x|` over the ball, with the bits of a radius.
+    pub fn abs_up(&self) -> Float {
+        let mid = magnitude_up(&self.mid);
+        Float::with_val_round(RADIUS_BITS, &mid + &self.rad, Round::Up).0
+    }
+
+    /// A lower bound of `|x|` over the ball, with the bits of a radius; 0 if the ball contains 0.
+    pub fn abs_down(&self) -> Float {
+        let towards_zero = if self.mid.is_sign_negative() { Round::Up } else { Round::Down };
+        let mut mid = Float::with_val_round(RADIUS_BITS, &self.mid, towards_zero).0;
+        mid.abs_mut();
+        mid.sub_assign_round(&self.rad, Round::Down);
+        if mid.is_sign_negative() || mid.is_nan() {
+            mid.assign(0);
+        }
+        mid
+    }
+
+    /// Whether the ball is bounded.
+    pub fn is_finite(&self) -> bool {
+        self.mid.is_finite() && self.rad.is_finite()
+    }
+
+    /// Whether the ball is a single point.
+    pub fn is_exact(&self) -> bool {
+        self.rad.is_zero()
+    }
+
+    /// Whether 0 lies in the ball.
+    pub fn contains_zero(&self) -> bool {
+        self.mid.cmp_abs(&self.rad) != Some(Ordering::Greater)
+    }
+
+    /// Whether every point of the ball is greater than 0.
+    pub fn is_positive(&self) -> bool {
+        !self.contains_zero() && self.mid.is_sign_positive()
+    }
+
+    /// Whether every point of the ball is less than 0.
+    pub fn is_negative(&self) -> bool {
+        !self.contains_zero() && self.mid.is_sign_negative()
+    }
+
+    /// Whether every point of `other` lies in this ball.
+    pub fn contains(&self, other: &Self) -> bool {
+        if self.rad.is_infinite() {
+            return true;
+        }
+        let (low, high) = (self.exact_end(-1), self.exact_end(1));
+        let (other_low, other_high) = (other.exact_end(-1), other.exact_end(1));
+        other.is_finite() && low <= other_low && other_high <= high
+    }
+
+    /// Whether the exact rational lies in this ball.
+    pub fn contains_rational(&self, value: &BigRational) -> bool {
+        if self.rad.is_infinite() {
+            return true;
+        }
+        let value = rug_rational(value);
+        self.exact_end(-1) <= value && value <= self.exact_end(1)
+    }
+
+    /// Whether the two balls have a point in common.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        if !self.is_finite() || !other.is_finite() {
+            return true;
+        }
+        self.exact_end(-1) <= other.exact_end(1) && other.exact_end(-1) <= self.exact_end(1)
+    }
+
+    /// Returns the smallest ball around both.
+    pub fn union(&self, other: &Self) -> Self {
+        if !self.is_finite() || !other.is_finite() {
+            return Self::whole_line(self.prec().max(other.prec()));
+        }
+        let low = self.lower().min(&other.lower());
+        let high = self.upper().max(&other.upper());
+        Self::between(&low, &high, self.prec().max(other.prec()))
+    }
+
+    /// Returns a ball around the common points, or `None` if there are none.
+    pub fn intersection(&self, other: &Self) -> Option<Self> {
+        if !other.is_finite() {
+            return Some(self.clone());
+        }
+        if !self.is_finite() {
+            return Some(other.clone());
+        }
+        let low = self.lower().max(&other.lower());
+        let high = self.upper().min(&other.upper());
+        (low <= high).then(|| Self::between(&low, &high, self.prec().max(other.prec())))
+    }
+
+    /// Adds `error >= 0` to the radius, rounding up.
+    pub fn widen(&mut self, error: &Float) {
+        self.rad.add_assign_round(error, Round::Up);
+        if self.rad.is_nan() || self.rad < 0 {
+            *self = Self::whole_line(self.prec());
+        }
+    }
+
+    /// Returns the ball widened by `error >= 0`.
+    #[must_use]
+    pub fn widened(mut self, error: &Float) -> Self {
+        self.widen(error);
+        self
+    }
+
+    /// Bits to which the value is known relative to its size: `-log2(radius/|midpoint|)`, rounded
+    /// down; `None` if the ball is exact, negative if nothing is known.
+    pub fn relative_bits(&self) -> Option<i64> {
+        if self.is_exact() {
+            return None;
+        }
+        match (self.mid.get_exp(), self.rad.get_exp()) {
+            (Some(mid), Some(rad)) if self.is_finite() => Some(i64::from(mid) - i64::from(rad) - 1),
+            _ => Some(i64::MIN),
+        }
+    }
+
+    /// The nearest double to the midpoint.
+    pub fn to_f64(&self) -> f64 {
+        self.mid.to_f64()
+    }
+
+    /// One end of the ball as an exact rational number: `midpoint + side * radius`.
+    fn exact_end(&self, side: i32) -> Rational {
+        let exact = |x: &Float| x.to_rational().unwrap_or_default();
+        exact(&self.mid) + exact(&self.rad) * side
+    }
+
+    pub(crate) fn constant(n: u32) -> Self {
+        Self::exact(Float::with_val(CONSTANT_BITS, n))
+    }
+}
+
+impl fmt::Debug for Ball {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rad = self.rad.to_string_radix_round(10, Some(3), Round::Up);
+        write!(f, "{} +/- {rad}", self.mid.to_string_radix(10, Some(20)))
+    }
+}
+
+/// Half a unit in the last place, which bounds the error of rounding to nearest; 0 if it was exact.
+pub(crate) fn rounding_error(mid: &Float, direction: Ordering) -> Float {
+    let mut error = Float::new(RADIUS_BITS);
+    if direction == Ordering::Equal {
+        return error;
+    }
+    match mid.get_exp() {
+        Some(exponent) => {
+            let shift = i64::from(exponent) - i64::from(mid.prec()) - 1;
+            error.assign(1);
+            error <<= i32::try_from(shift).unwrap_or(i32::MIN);
+            if error.is_zero() {
+                error = Float::with_val_round(RADIUS_BITS, f64::MIN_POSITIVE, Round::Up).0;
+            }
+        }
+        // A result that rounded to zero lies below the smallest MPFR number, far below this.
+        None => error = Float::with_val_round(RADIUS_BITS, f64::MIN_POSITIVE, Round::Up).0,
+    }
+    error
+}
+
+/// `|x|` with the bits of a radius, rounded up.
+pub(crate) fn magnitude_up(x: &Float) -> Float {
+    let mut out =
+        Float::with_val_round(RADIUS_BITS, x, if x.is_sign_negative() { Round::Down } else { Round::Up }).0;
+    out.abs_mut();
+    out
+}
+
+/// Converts num-rational's number to GMP's.
+pub(crate) fn rug_rational(value: &BigRational) -> Rational {
+    Rational::from((rug_integer(value.numer()), rug_integer(value.denom())))
+}
+
+/// Converts num-bigint's number to GMP's.
+pub(crate) fn rug_integer(value: &BigInt) -> Integer {
+    let (sign, digits) = value.to_u64_digits();
+    let magnitude = Integer::from_digits(&digits, rug::integer::Order::Lsf);
+    if sign == Sign::Minus { -magnitude } else { magnitude }
+}

@@ -1,0 +1,99 @@
+//! Decimal digits that a ball proves.
+
+use crate::Ball;
+use rug::Float;
+use rug::float::Round;
+
+impl Ball {
+    /// Returns the value rounded to `digits` significant decimals, if the ball proves them.
+    ///
+    /// Every point of the ball rounds to the same decimals, so each digit is right and the true value
+    /// differs from what is shown by at most half a unit of the last digit. (A ball so narrow that only
+    /// a tie between two decimals can be the reason it rounds both ways gives one of the two, which is
+    /// then right to half a unit and a 2^-30th of it.) The form is plain
+    /// (`-0.0123`) for exponents from -6 to `digits`, scientific (`1.23e-9`) elsewhere. `None` if the
+    /// ball is too wide, or contains zero without being exactly zero.
+    pub fn to_digits(&self, digits: usize) -> Option<String> {
+        if digits == 0 || !self.is_finite() {
+            return None;
+        }
+        if self.is_exact() && self.mid.is_zero() {
+            return Some("0".to_owned());
+        }
+        if self.contains_zero() {
+            return None;
+        }
+        let prec = self.prec() + 32;
+        let low = Float::with_val_round(prec, &self.mid - &self.rad, Round::Down).0;
+        let high = Float::with_val_round(prec, &self.mid + &self.rad, Round::Up).0;
+        let low = decimal(&low, digits);
+        let proved = low == decimal(&high, digits) || self.is_at_a_tie(digits);
+        proved.then(|| layout(&low, digits))
+    }
+
+    /// Whether the radius is below a 2^-30th of half a unit of the last of `digits` digits.
+    fn is_at_a_tie(&self, digits: usize) -> bool {
+        // A unit of the last digit is more than 10^-digits of the value, 10 < 2^(10/3).
+        let bits = i64::try_from(digits).unwrap_or(i64::MAX / 8).saturating_mul(10) / 3 + 34;
+        self.relative_bits().is_none_or(|known| known > bits)
+    }
+
+    /// Returns the radius as an upper bound with two digits, such as `1.3e-42`; `0` if exact.
+    pub fn radius_text(&self) -> String {
+        if self.rad.is_zero() {
+            "0".to_owned()
+        } else {
+            self.rad.to_string_radix_round(10, Some(2), Round::Up)
+        }
+    }
+}
+
+/// Sign, digits and exponent of `0.d1d2d3... * 10^exponent`.
+type Decimal = (bool, String, i32);
+
+fn decimal(x: &Float, digits: usize) -> Decimal {
+    let (negative, text, exponent) = x.to_sign_string_exp_round(10, Some(digits), Round::Nearest);
+    (negative, text, exponent.unwrap_or(0))
+}
+
+fn layout((negative, digits, exponent): &Decimal, wanted: usize) -> String {
+    let sign = if *negative { "-" } else { "" };
+    let count = digits.len();
+    let exponent = i64::from(*exponent);
+    if exponent > i64::try_from(wanted).unwrap_or(i64::MAX) || exponent < -5 {
+        let (first, rest) = digits.split_at(1);
+        let point = if rest.is_empty() { "" } else { "." };
+        return format!("{sign}{first}{point}{rest}e{}", exponent - 1);
+    }
+    match usize::try_from(exponent) {
+        Ok(0) | Err(_) => {
+            let zeros = "0".repeat(usize::try_from(-exponent).unwrap_or(0));
+            format!("{sign}0.{zeros}{digits}")
+        }
+        Ok(whole) if whole >= count => format!("{sign}{digits}{}", "0".repeat(whole - count)),
+        Ok(whole) => format!("{sign}{}.{}", &digits[..whole], &digits[whole..]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_are_laid_out_plainly() {
+        let show = |n, d, digits| Ball::from_ratio(n, d, 200).to_digits(digits).unwrap();
+        assert_eq!(show(1, 3, 5), "0.33333");
+        assert_eq!(show(-200, 3, 5), "-66.667");
+        assert_eq!(show(200_000, 3, 3), "6.67e4");
+        assert_eq!(show(1, 3000, 3), "0.000333");
+        assert_eq!(show(1, 3_000_000_000, 3), "3.33e-10");
+        assert_eq!(show(12, 1, 2), "12");
+    }
+
+    #[test]
+    fn a_wide_ball_proves_nothing() {
+        let wide = Ball::from_ratio(1, 3, 64).widened(&Float::with_val(32, 1e-3));
+        assert_eq!(wide.to_digits(2).as_deref(), Some("0.33"));
+        assert_eq!(wide.to_digits(4), None);
+    }
+}

@@ -1,0 +1,23 @@
+/// Why a certified number could not be given.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RealError {
+    /// The working precision was raised to its limit and the digits were still not there.
+    #[error(
+        "{digits} digits could not be proved with {reached_bits} bits of working precision: ask for fewer digits"
+    )]
+    PrecisionExhausted {
+        /// The digits that were asked for.
+        digits: usize,
+        /// The working precision that was reached.
+        reached_bits: u32,
+    },
+    /// The text is not a decimal number or a fraction.
+    #[error(
+        "'{text}' is not a number: write it as a decimal such as 0.1 or 1e-12, or a fraction such as 1/3"
+    )]
+    NotANumber {
+        /// The text that was given.
+        text: String,
+    },
+}

@@ -1,0 +1,138 @@
+//! Elementary functions and the gamma function of balls.
+
+use crate::Ball;
+use crate::ball::{RADIUS_BITS, rounding_error};
+use num_rational::BigRational;
+use num_traits::{One, ToPrimitive};
+use rug::Float;
+use rug::float::{Constant, Round};
+use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound};
+
+impl Ball {
+    /// Returns pi.
+    pub fn pi(prec: u32) -> Self {
+        Self::rounded(prec, Constant::Pi)
+    }
+
+    /// Returns the natural logarithm of 2.
+    pub fn ln_2(prec: u32) -> Self {
+        Self::rounded(prec, Constant::Log2)
+    }
+
+    /// Returns the square root; the whole line if the ball reaches below 0.
+    ///
+    /// `|sqrt(X) - sqrt(x)| <= r/sqrt(x)` for `X >= 0`.
+    #[must_use]
+    pub fn sqrt(&self) -> Self {
+        if self.is_exact() && self.mid.is_zero() {
+            return self.clone();
+        }
+        if !self.is_positive() || !self.is_finite() {
+            return Self::whole_line(self.prec());
+        }
+        let (mid, direction) = Float::with_val_round(self.prec(), self.mid.sqrt_ref(), Round::Nearest);
+        let mut rad = self.rad.clone();
+        let root_down = Float::with_val_round(RADIUS_BITS, self.mid.sqrt_ref(), Round::Down).0;
+        rad.div_assign_round(&root_down, Round::Up);
+        rad.add_assign_round(&rounding_error(&mid, direction), Round::Up);
+        Self::new(mid, &rad)
+    }
+
+    /// Returns `e^x`.
+    ///
+    /// `|e^X - e^x| <= e^x (e^r - 1)`.
+    #[must_use]
+    pub fn exp(&self) -> Self {
+        let (mid, direction) = Float::with_val_round(self.prec(), self.mid.exp_ref(), Round::Nearest);
+        let mut rad = Float::with_val_round(RADIUS_BITS, self.rad.exp_m1_ref(), Round::Up).0;
+        if !rad.is_zero() {
+            rad.mul_assign_round(
+                &Float::with_val_round(RADIUS_BITS, self.mid.exp_ref(), Round::Up).0,
+                Round::Up,
+            );
+        }
+        rad.add_assign_round(&rounding_error(&mid, direction), Round::Up);
+        Self::new(mid, &rad)
+    }
+
+    /// Returns the natural logarithm; the whole line unless the ball is positive.
+    ///
+    /// `|ln X - ln x| <= ln(1 + r/(x - r))`.
+    #[must_use]
+    pub fn ln(&self) -> Self {
+        if !self.is_positive() || !self.is_finite() {
+            return Self::whole_line(self.prec());
+        }
+        let (mid, direction) = Float::with_val_round(self.prec(), self.mid.ln_ref(), Round::Nearest);
+        let mut rad = self.rad.clone();
+        rad.div_assign_round(&self.abs_down(), Round::Up);
+        let mut rad = Float::with_val_round(RADIUS_BITS, rad.ln_1p_ref(), Round::Up).0;
+        rad.add_assign_round(&rounding_error(&mid, direction), Round::Up);
+        Self::new(mid, &rad)
+    }
+
+    /// Returns `x^q` for a rational exponent: by multiplication if `q` is an integer, by roots if it
+    /// is a half, else as `exp(q ln x)`, which needs `x > 0`.
+    #[must_use]
+    pub fn pow(&self, exponent: &BigRational) -> Self {
+        if exponent.is_integer()
+            && let Some(n) = exponent.to_integer().to_i64()
+        {
+            return self.powi(n);
+        }
+        let doubled = exponent + exponent;
+        if doubled.is_integer()
+            && let Some(n) = doubled.to_integer().to_i64()
+        {
+            return self.sqrt().powi(n);
+        }
+        if self.is_exact() && self.mid == 1 {
+            return self.clone();
+        }
+        // A few bits more carry the logarithm's size, so that the result keeps the precision.
+        let guarded = self.with_prec(self.prec() + 16);
+        (guarded.ln() * Self::from_rational(exponent, self.prec() + 16)).exp().with_prec(self.prec())
+    }
+
+    /// Returns the gamma function of a positive ball; the whole line elsewhere.
+    ///
+    /// Gamma is convex on the positive axis, so `|Gamma'| = |Gamma psi|` is largest at an end.
+    #[must_use]
+    pub fn gamma(&self) -> Self {
+        if !self.is_positive() || !self.is_finite() {
+            return Self::whole_line(self.prec());
+        }
+        let (mid, direction) = Float::with_val_round(self.prec(), self.mid.gamma_ref(), Round::Nearest);
+        let mut rad = rounding_error(&mid, direction);
+        if !self.rad.is_zero() {
+            let slope = slope_of_gamma_up(&self.lower()).max(&slope_of_gamma_up(&self.upper()));
+            let mut spread = self.rad.clone();
+            spread.mul_assign_round(&slope, Round::Up);
+            rad.add_assign_round(&spread, Round::Up);
+        }
+        Self::new(mid, &rad)
+    }
+
+    /// Returns the beta function `B(p, q) = Gamma(p) Gamma(q)/Gamma(p + q)` of positive rationals.
+    pub fn beta(p: &BigRational, q: &BigRational, prec: u32) -> Self {
+        let gamma = |x: &BigRational| Self::from_rational(x, prec).gamma();
+        gamma(p) * gamma(q) / gamma(&(p + q))
+    }
+
+    /// Returns `x` to the power 1/5 of a positive ball.
+    #[must_use]
+    pub fn fifth_root(&self) -> Self {
+        self.pow(&BigRational::new(One::one(), 5.into()))
+    }
+}
+
+/// An upper bound of `|Gamma'(x)| = |Gamma(x) psi(x)|` at one point.
+fn slope_of_gamma_up(x: &Float) -> Float {
+    // Both factors are rounded to nearest with 64 bits; the last step rounds up by far more.
+    let gamma = Float::with_val(64, x.gamma_ref());
+    let psi = Float::with_val(64, x.digamma_ref());
+    let mut product = Float::with_val(64, gamma * psi);
+    product.abs_mut();
+    product.mul_assign_round(1.0 + f64::from(2.0f32).powi(-40), Round::Up);
+    Float::with_val_round(RADIUS_BITS, product, Round::Up).0
+}

@@ -1,0 +1,14 @@
+//! Certified real numbers: balls on MPFR with outward rounding.
+//!
+//! A [`Ball`] is a midpoint and a radius; every operation returns a ball that contains the exact
+//! result for every choice of exact operands inside the given balls. This is the only crate of the
+//! project that rounds.
+
+mod arithmetic;
+mod ball;
+mod decimal;
+mod error;
+mod functions;
+
+pub use ball::Ball;
+pub use error::RealError;
