@@ -16,6 +16,14 @@ pub enum LawError {
         /// The exponent that was given.
         gamma: BigRational,
     },
+    /// The exponents have no common unit of a sensible size.
+    #[error(
+        "the exponents {law} are too fine or too large: use fractions with a common denominator up to 10^6"
+    )]
+    TooFine {
+        /// The exponents that were given, as A,GAMMA.
+        law: String,
+    },
     /// The text is not a pair of exponents.
     #[error("'{text}' is not a force law: write it as A,GAMMA with fractions or decimals, such as 3/2,1/2")]
     NotALaw {

@@ -1,7 +1,8 @@
 use crate::LawError;
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed};
+use num_traits::{One, Signed, ToPrimitive};
 use std::fmt;
 use std::str::FromStr;
 
@@ -26,6 +27,38 @@ use std::str::FromStr;
 pub struct ForceLaw {
     a: BigRational,
     gamma: BigRational,
+    lattice: Lattice,
+}
+
+/// The exponents of a law as whole multiples of one unit, so that `t^(e)` has an integer index.
+///
+/// ```text
+/// a + 1 = elastic/unit,   gamma + 1 = damping/unit,   e = (elastic j + damping n)/unit
+/// ```
+///
+/// For spheres `elastic = 5`, `damping = 3`, `unit = 2`: the half powers of the paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Lattice {
+    /// `a + 1` in units: the step of the elastic monomial `s`.
+    pub elastic: i64,
+    /// `gamma + 1` in units: the step of the damping monomial `w`.
+    pub damping: i64,
+    /// How many lattice steps make one power of `t`.
+    pub unit: i64,
+}
+
+impl Lattice {
+    /// Largest unit and largest step: all products of an index and a step then fit 64 bits.
+    const LIMIT: i64 = 1_000_000;
+
+    fn of(a: &BigRational, gamma: &BigRational) -> Option<Self> {
+        let unit = a.denom().lcm(gamma.denom()).to_i64()?;
+        let steps = |exponent: &BigRational| {
+            ((exponent + BigRational::one()) * BigRational::from_integer(unit.into())).to_integer().to_i64()
+        };
+        let (elastic, damping) = (steps(a)?, steps(gamma)?);
+        (unit.max(elastic).max(damping) <= Self::LIMIT).then_some(Self { elastic, damping, unit })
+    }
 }
 
 impl ForceLaw {
@@ -33,7 +66,9 @@ impl ForceLaw {
     ///
     /// # Errors
     ///
-    /// [`LawError::ElasticExponent`] unless `a > 0`, [`LawError::DampingExponent`] unless `gamma > -1`.
+    /// [`LawError::ElasticExponent`] unless `a > 0`, [`LawError::DampingExponent`] unless `gamma > -1`,
+    /// [`LawError::TooFine`] if a common denominator of the exponents, or an exponent in units of it,
+    /// exceeds 10^6.
     pub fn new(a: BigRational, gamma: BigRational) -> Result<Self, LawError> {
         if !a.is_positive() {
             return Err(LawError::ElasticExponent { a });
@@ -41,13 +76,16 @@ impl ForceLaw {
         if gamma <= -BigRational::one() {
             return Err(LawError::DampingExponent { gamma });
         }
-        Ok(Self { a, gamma })
+        match Lattice::of(&a, &gamma) {
+            Some(lattice) => Ok(Self { a, gamma, lattice }),
+            None => Err(LawError::TooFine { law: format!("{a},{gamma}") }),
+        }
     }
 
     /// Returns the law of viscoelastic spheres, `a = 3/2`, `gamma = 1/2` (eq. 5).
     pub fn viscoelastic_spheres() -> Self {
         let half = |n: i64| BigRational::new(n.into(), 2.into());
-        Self { a: half(3), gamma: half(1) }
+        Self { a: half(3), gamma: half(1), lattice: Lattice { elastic: 5, damping: 3, unit: 2 } }
     }
 
     /// The elastic exponent `a`.
@@ -58,6 +96,11 @@ impl ForceLaw {
     /// The damping exponent `gamma`.
     pub fn gamma(&self) -> &BigRational {
         &self.gamma
+    }
+
+    /// The exponents as whole multiples of one unit.
+    pub fn lattice(&self) -> Lattice {
+        self.lattice
     }
 
     /// The exponent `a + 1` of the elastic monomial `s = t^(a+1)`.
@@ -133,7 +176,9 @@ mod tests {
 
     #[test]
     fn nonsense_is_refused() {
-        for text in ["", "3/2", "3/0,1", "1.5.5,1", "x,1", "1e3,1", "-1,0"] {
+        for text in
+            ["", "3/2", "3/0,1", "1.5.5,1", "x,1", "1e3,1", "-1,0", "1,-1", "1/1000003,0", "2000000,0"]
+        {
             assert!(text.parse::<ForceLaw>().is_err(), "{text}");
         }
     }

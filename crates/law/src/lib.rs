@@ -12,4 +12,4 @@ mod error;
 mod force_law;
 
 pub use error::LawError;
-pub use force_law::ForceLaw;
+pub use force_law::{ForceLaw, Lattice};

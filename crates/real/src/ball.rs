@@ -1,4 +1,4 @@
-use num_bigint::{BigInt, Sign};
+use crate::convert::rug_rational;
 use num_rational::BigRational;
 use rug::float::Round;
 use rug::ops::{AddAssignRound, AssignRound, SubAssignRound};
@@ -314,16 +314,4 @@ pub(crate) fn magnitude_up(x: &Float) -> Float {
         Float::with_val_round(RADIUS_BITS, x, if x.is_sign_negative() { Round::Down } else { Round::Up }).0;
     out.abs_mut();
     out
-}
-
-/// Converts num-rational's number to GMP's.
-pub(crate) fn rug_rational(value: &BigRational) -> Rational {
-    Rational::from((rug_integer(value.numer()), rug_integer(value.denom())))
-}
-
-/// Converts num-bigint's number to GMP's.
-pub(crate) fn rug_integer(value: &BigInt) -> Integer {
-    let (sign, digits) = value.to_u64_digits();
-    let magnitude = Integer::from_digits(&digits, rug::integer::Order::Lsf);
-    if sign == Sign::Minus { -magnitude } else { magnitude }
 }

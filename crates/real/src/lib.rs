@@ -6,9 +6,13 @@
 
 mod arithmetic;
 mod ball;
+mod ball_vector;
+pub mod convert;
 mod decimal;
 mod error;
 mod functions;
+pub mod kronecker;
 
 pub use ball::Ball;
+pub use ball_vector::BallVector;
 pub use error::RealError;

@@ -1,7 +1,5 @@
-use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
-use restitution_real::Ball;
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -18,7 +16,7 @@ pub enum ZeroTest {
 
 /// The numbers a series can have as coefficients: a field that contains the rationals.
 ///
-/// One pipeline serves exact and certified numbers: [`BigRational`] is exact, [`Ball`] encloses.
+/// One pipeline serves exact and certified numbers: `BigRational` is exact, `Ball` encloses.
 /// The constants `zero()` and `one()` know no precision; they take it from what they meet, and
 /// [`Field::ratio`] makes every other constant with the precision of a number at hand.
 ///
@@ -48,6 +46,9 @@ pub trait Field:
     + for<'r> Mul<&'r Self, Output = Self>
     + for<'r> Div<&'r Self, Output = Self>
 {
+    /// A series prepared for products: transformed, packed, or just copied.
+    type Factor: Clone;
+
     /// Returns the rational number `value` with the precision of `self`.
     fn rational(&self, value: &BigRational) -> Self;
 
@@ -69,29 +70,25 @@ pub trait Field:
         self.clone() * other
     }
 
-    /// Returns the first `len` coefficients of the product of two power series.
+    /// Returns `self^exponent`, or `None` where the field has no such number.
+    fn power(&self, exponent: &BigRational) -> Option<Self>;
+
+    /// Prepares the first `len` coefficients of a series for products.
+    fn factor(series: &[Self], len: usize) -> Self::Factor;
+
+    /// Returns the first `len` coefficients of a weighted sum of products of power series.
     ///
     /// ```text
-    /// c_k = sum_(i+j=k) a_i b_j,   k < len
+    /// c_k = sum_t weight_t sum_(i+j=k) a_(t,i) b_(t,j),   k < len
     /// ```
     ///
-    /// This is where nearly all time goes, hence the one operation each number type may do its own
-    /// way; the default takes `len^2/2` multiplications.
-    fn product(a: &[Self], b: &[Self], len: usize) -> Vec<Self> {
-        Self::sum_of_products(&[(a, b)], len)
-    }
+    /// This is where nearly all time goes, hence the one operation that each number type does its own
+    /// way, all of them quasi-linear in `len`. The weights are small integers.
+    fn sum_of_products(terms: &[(i64, &Self::Factor, &Self::Factor)], len: usize) -> Vec<Self>;
 
-    /// Returns the first `len` coefficients of a sum of products of power series.
-    fn sum_of_products(terms: &[(&[Self], &[Self])], len: usize) -> Vec<Self> {
-        let mut out = vec![Self::zero(); len];
-        for (a, b) in terms {
-            for (i, x) in a.iter().enumerate().take(len) {
-                for (y, c) in b.iter().zip(&mut out[i..]) {
-                    *c = std::mem::replace(c, Self::zero()) + x.times(y);
-                }
-            }
-        }
-        out
+    /// Returns the first `len` coefficients of the product of two power series.
+    fn product(a: &[Self], b: &[Self], len: usize) -> Vec<Self> {
+        Self::sum_of_products(&[(1, &Self::factor(a, len), &Self::factor(b, len))], len)
     }
 
     /// Multiplies coefficient `j` by the fraction `weights(j) = (numerator, denominator)`.
@@ -101,49 +98,5 @@ pub trait Field:
             x.scaled(numerator, denominator)
         };
         series.iter().enumerate().map(scale).collect()
-    }
-}
-
-impl Field for BigRational {
-    fn rational(&self, value: &BigRational) -> Self {
-        value.clone()
-    }
-
-    fn scaled(&self, numerator: i64, denominator: i64) -> Self {
-        self * Self::new(BigInt::from(numerator), BigInt::from(denominator))
-    }
-
-    fn zero_test(&self) -> ZeroTest {
-        if self.is_zero() { ZeroTest::Zero } else { ZeroTest::NonZero }
-    }
-
-    fn times(&self, other: &Self) -> Self {
-        self * other
-    }
-}
-
-impl Field for Ball {
-    fn rational(&self, value: &BigRational) -> Self {
-        Self::from_rational(value, self.prec())
-    }
-
-    fn ratio(&self, numerator: i64, denominator: i64) -> Self {
-        Self::from_ratio(numerator, denominator, self.prec())
-    }
-
-    fn scaled(&self, numerator: i64, denominator: i64) -> Self {
-        self * Self::from_integer(numerator, 64) / Self::from_integer(denominator, 64)
-    }
-
-    fn zero_test(&self) -> ZeroTest {
-        match (self.is_zero(), self.contains_zero()) {
-            (true, _) => ZeroTest::Zero,
-            (false, true) => ZeroTest::Undecided,
-            (false, false) => ZeroTest::NonZero,
-        }
-    }
-
-    fn times(&self, other: &Self) -> Self {
-        self * other
     }
 }
