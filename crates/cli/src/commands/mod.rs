@@ -1,0 +1,72 @@
+//! The subcommands.
+//!
+//! To add one:
+//!
+//! 1. A file `commands/NAME.rs` with `#[derive(clap::Args)] pub struct NameArgs` and
+//!    `impl NameArgs { pub fn run(&self) -> Result<(), CliError> }`. Flatten
+//!    [`OutputArgs`](crate::OutputArgs) for `--format` and `-o`; take orders, digits, laws, ends of
+//!    contact, exact numbers and units from [`args`](crate::args), [`exact`](crate::exact) and
+//!    [`units`](crate::units).
+//! 2. In `run`: `self.output.check()?` first, then [`memory::require`](crate::memory::require) with
+//!    an estimate, then the work inside [`progress::during`](crate::progress::during), then
+//!    `self.output.print(&table)`.
+//! 3. A variant of [`Command`] below and its arm.
+//! 4. Tests in `crates/cli/tests/`, with one wrong input of each kind, and a line in the README.
+
+pub mod completions;
+
+use crate::CliError;
+use clap::error::ErrorKind;
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use std::ffi::OsString;
+
+/// The coefficient of restitution of colliding viscoelastic bodies, with every printed digit proved
+#[derive(Debug, Parser)]
+#[command(name = "restitution", version, arg_required_else_help = false)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+/// What can be asked for.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Write the completions of a shell, or the manual page
+    Completions(completions::CompletionsArgs),
+}
+
+/// Reads the arguments, the program's name first, and carries out what they ask for.
+///
+/// # Errors
+///
+/// A [`CliError`]: usage for what cannot be understood or done at any time, failure otherwise.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliError> {
+    match parse(arguments) {
+        Ok(cli) => cli.command.run(),
+        Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
+            error.print().map_err(|_| CliError::ClosedPipe)
+        }
+        Err(error) => Err(error.into()),
+    }
+}
+
+impl Command {
+    fn run(&self) -> Result<(), CliError> {
+        match self {
+            Self::Completions(args) => args.run(),
+        }
+    }
+}
+
+fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Cli, clap::Error> {
+    Cli::from_arg_matches(&command().try_get_matches_from(arguments)?)
+}
+
+/// Returns the whole command line; a negative number is a value, so that its parser can say why not.
+pub(crate) fn command() -> clap::Command {
+    let takes_numbers = |arg: clap::Arg| {
+        let takes_value = arg.get_action().takes_values();
+        if takes_value && !arg.is_allow_hyphen_values_set() { arg.allow_negative_numbers(true) } else { arg }
+    };
+    Cli::command().mut_subcommands(|sub| sub.mut_args(takes_numbers))
+}

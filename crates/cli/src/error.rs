@@ -1,0 +1,110 @@
+//! What can go wrong in a subcommand, as one line on stderr and an exit code.
+
+use restitution_law::LawError;
+use restitution_real::RealError;
+use std::fmt::Display;
+use std::process::ExitCode;
+
+/// The longest message that is shown: beyond it an argument was quoted that nobody wants to read.
+const LONGEST_MESSAGE: usize = 400;
+
+/// Why a subcommand did not do what was asked.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CliError {
+    /// The request is at fault: exit code 2.
+    #[error("{0}")]
+    Usage(String),
+    /// The request is sound and could not be carried out: exit code 1.
+    #[error("{0}")]
+    Failure(String),
+    /// The reader of stdout has gone, as `head` does: nothing to say, exit code 0.
+    #[error("the reader of the output has gone")]
+    ClosedPipe,
+}
+
+impl CliError {
+    /// Returns a usage error; the message names what was given and the remedy.
+    pub fn usage(message: impl Display) -> Self {
+        Self::Usage(message.to_string())
+    }
+
+    /// Returns a failure; the message names what failed and the remedy, if there is one.
+    pub fn failure(message: impl Display) -> Self {
+        Self::Failure(message.to_string())
+    }
+
+    /// Prints the error as one line on stderr and returns its exit code.
+    pub fn report(&self) -> ExitCode {
+        if matches!(self, Self::ClosedPipe) {
+            return ExitCode::SUCCESS;
+        }
+        // A message that cannot be delivered leaves the exit code to tell.
+        let _ = std::io::Write::write_all(
+            &mut std::io::stderr(),
+            format!("restitution: {}\n", one_line(&self.to_string())).as_bytes(),
+        );
+        ExitCode::from(if matches!(self, Self::Usage(_)) { 2 } else { 1 })
+    }
+}
+
+impl From<LawError> for CliError {
+    fn from(error: LawError) -> Self {
+        Self::usage(error)
+    }
+}
+
+impl From<RealError> for CliError {
+    fn from(error: RealError) -> Self {
+        match error {
+            RealError::NotANumber { .. } => Self::usage(error),
+            _ => Self::failure(error),
+        }
+    }
+}
+
+impl From<clap::Error> for CliError {
+    /// Keeps of clap's several paragraphs what was wrong and the remedy.
+    fn from(error: clap::Error) -> Self {
+        let text = error.render().to_string();
+        let lines = || text.lines().map(str::trim);
+        let said = lines()
+            .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more information"))
+            .filter(|line| !line.is_empty() && !line.starts_with("tip: to pass"))
+            .collect::<Vec<_>>()
+            .join(" ");
+        let said = said.trim_start_matches("error: ").replace(" tip: ", "; ");
+        if [": give", ": write", "; ", "[possible values"].iter().any(|remedy| said.contains(remedy)) {
+            return Self::Usage(said);
+        }
+        let usage = lines().find_map(|line| line.strip_prefix("Usage: ")).unwrap_or("restitution");
+        let command = usage.split(['<', '[']).next().unwrap_or_default().trim();
+        Self::Usage(format!("{said}; see '{command} --help'"))
+    }
+}
+
+/// Returns `text` without line breaks and control characters, shortened in the middle when very long.
+fn one_line(text: &str) -> String {
+    let escape = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
+    let line = text.chars().map(escape).collect::<String>();
+    let length = line.chars().count();
+    if length <= LONGEST_MESSAGE {
+        return line;
+    }
+    let half = LONGEST_MESSAGE / 2;
+    let head = line.chars().take(half).collect::<String>();
+    let tail = line.chars().skip(length - half).collect::<String>();
+    format!("{head}...{tail}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_are_one_short_line() {
+        assert_eq!(one_line("a\nb\x1b[1m"), "a\\nb\\u{1b}[1m");
+        let long = one_line(&"x".repeat(100_000));
+        assert_eq!(long.len(), LONGEST_MESSAGE + 3);
+    }
+}

@@ -1,0 +1,183 @@
+//! The five forms of a table.
+
+use crate::output::Format;
+use crate::table::{Cell, Table};
+use serde_json::{Map, Value};
+
+impl Table {
+    /// Returns the table as it is printed in `format`, with a line break at its end.
+    pub fn render(&self, format: Format) -> String {
+        match format {
+            Format::Text => self.text(),
+            Format::Csv => self.csv(),
+            Format::Json => self.json(),
+            Format::Latex => self.latex(),
+            Format::Markdown => self.markdown(),
+        }
+    }
+
+    fn text(&self) -> String {
+        let widths = self.widths(Cell::plain);
+        let mut out = self.title.iter().map(|title| format!("{title}\n\n")).collect::<String>();
+        out += &self.aligned(&self.columns, &widths);
+        for row in &self.rows {
+            out += &self.aligned(&row.iter().map(Cell::plain).collect::<Vec<_>>(), &widths);
+        }
+        let gap = if self.notes.is_empty() { "" } else { "\n" };
+        out + gap + &self.notes.iter().map(|note| format!("{note}\n")).collect::<String>()
+    }
+
+    fn csv(&self) -> String {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        let header = self.columns.clone();
+        let rows = self.rows.iter().map(|row| row.iter().map(Cell::plain).collect());
+        for record in std::iter::once(header).chain(rows) {
+            writer.write_record(&record).expect("records of equal length go to memory");
+        }
+        let bytes = writer.into_inner().expect("memory takes every record");
+        String::from_utf8(bytes).expect("only text was written")
+    }
+
+    fn json(&self) -> String {
+        let object = |row: &Vec<Cell>| {
+            Value::Object(self.columns.iter().cloned().zip(row.iter().map(Cell::json)).collect::<Map<_, _>>())
+        };
+        let rows = self.rows.iter().map(object).collect::<Vec<_>>();
+        format!("{:#}\n", Value::Array(rows))
+    }
+
+    fn markdown(&self) -> String {
+        let escape = |text: &str| text.replace('\\', "\\\\").replace('|', "\\|");
+        let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+        let rule = |numeric: bool| if numeric { "---:" } else { ":---" }.to_owned();
+        let mut out = self.title.iter().map(|title| format!("**{title}**\n\n")).collect::<String>();
+        out += &line(&self.columns.iter().map(|name| escape(name)).collect::<Vec<_>>());
+        out += &line(&(0..self.columns.len()).map(|i| rule(self.is_numeric(i))).collect::<Vec<_>>());
+        for row in &self.rows {
+            out += &line(&row.iter().map(|cell| escape(&cell.plain())).collect::<Vec<_>>());
+        }
+        out + &self.notes.iter().map(|note| format!("\n{note}\n")).collect::<String>()
+    }
+
+    fn latex(&self) -> String {
+        let line = |cells: Vec<String>| format!("{} \\\\\n", cells.join(" & "));
+        let align = (0..self.columns.len()).map(|i| if self.is_numeric(i) { 'r' } else { 'l' });
+        let comment = |text: &String| format!("% {}\n", text.replace('\n', "\n% "));
+        let mut out = self.title.iter().map(comment).collect::<String>();
+        out += &format!("\\begin{{tabular}}{{{}}}\n\\hline\n", align.collect::<String>());
+        out += &line(self.columns.iter().map(|name| latex_text(name)).collect());
+        out += "\\hline\n";
+        for row in &self.rows {
+            out += &line(row.iter().map(Cell::latex).collect());
+        }
+        out += "\\hline\n\\end{tabular}\n";
+        out + &self.notes.iter().map(comment).collect::<String>()
+    }
+
+    fn is_numeric(&self, column: usize) -> bool {
+        self.rows.iter().all(|row| !matches!(row[column], Cell::Text(_)))
+    }
+
+    fn widths(&self, show: impl Fn(&Cell) -> String) -> Vec<usize> {
+        let width = |i: usize, name: &String| {
+            let cells = self.rows.iter().map(|row| show(&row[i]).chars().count());
+            cells.chain([name.chars().count()]).max().unwrap_or(0)
+        };
+        self.columns.iter().enumerate().map(|(i, name)| width(i, name)).collect()
+    }
+
+    /// Returns one line: numbers on the right, texts on the left of their columns.
+    fn aligned(&self, cells: &[String], widths: &[usize]) -> String {
+        let pad = |(i, (cell, width)): (usize, (&String, &usize))| match self.is_numeric(i) {
+            true => format!("{cell:>width$}"),
+            false => format!("{cell:<width$}"),
+        };
+        let line = cells.iter().zip(widths).enumerate().map(pad).collect::<Vec<_>>().join("  ");
+        format!("{}\n", line.trim_end())
+    }
+}
+
+impl Cell {
+    fn plain(&self) -> String {
+        match self {
+            Self::Integer(n) => n.to_string(),
+            Self::Digits(text) | Self::Text(text) => text.clone(),
+            Self::Float(x) if *x == 0.0 || (1e-5..1e16).contains(&x.abs()) => x.to_string(),
+            Self::Float(x) => format!("{x:e}"),
+            Self::Empty => String::new(),
+        }
+    }
+
+    fn json(&self) -> Value {
+        match self {
+            Self::Integer(n) => Value::from(*n),
+            Self::Digits(text) | Self::Text(text) => Value::from(text.as_str()),
+            Self::Float(x) => Value::from(*x),
+            Self::Empty => Value::Null,
+        }
+    }
+
+    fn latex(&self) -> String {
+        match self {
+            Self::Text(text) => latex_text(text),
+            Self::Empty => String::new(),
+            number => match number.plain().split_once('e') {
+                Some((mantissa, exponent)) => format!("${mantissa}\\cdot10^{{{exponent}}}$"),
+                None => format!("${}$", number.plain()),
+            },
+        }
+    }
+}
+
+fn latex_text(text: &str) -> String {
+    let escape = |c: char| match c {
+        '\\' => "\\textbackslash{}".to_owned(),
+        '^' => "\\textasciicircum{}".to_owned(),
+        '~' => "\\textasciitilde{}".to_owned(),
+        '&' | '%' | '$' | '#' | '_' | '{' | '}' => format!("\\{c}"),
+        _ => c.to_string(),
+    };
+    text.chars().map(escape).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sample() -> Table {
+        let mut table = Table::new(&["k", "value", "says"]).titled("Title");
+        table.push(vec![1_usize.into(), Cell::digits("-1.5e-7"), "a|b, 100 % \"c\"".into()]);
+        table.push(vec![10_usize.into(), Cell::Empty, 0.25.into()]);
+        table.note("Note.");
+        table
+    }
+
+    #[test]
+    fn text_is_aligned() {
+        let text = "Title\n\n k    value  says\n 1  -1.5e-7  a|b, 100 % \"c\"\n10           0.25\n\nNote.\n";
+        assert_eq!(sample().render(Format::Text), text);
+    }
+
+    #[test]
+    fn csv_quotes_what_it_must() {
+        let csv = "k,value,says\n1,-1.5e-7,\"a|b, 100 % \"\"c\"\"\"\n10,,0.25\n";
+        assert_eq!(sample().render(Format::Csv), csv);
+    }
+
+    #[test]
+    fn json_keeps_digits_as_text() {
+        let value: Value = serde_json::from_str(&sample().render(Format::Json)).unwrap();
+        assert_eq!(value[0]["value"], "-1.5e-7");
+        assert_eq!(value[0]["k"], 1);
+        assert_eq!(value[1]["value"], Value::Null);
+        assert_eq!(value[1]["says"], 0.25);
+    }
+
+    #[test]
+    fn latex_and_markdown_escape() {
+        let latex = sample().render(Format::Latex);
+        assert!(latex.contains("$1$ & $-1.5\\cdot10^{-7}$ & a|b, 100 \\% \"c\" \\\\\n"), "{latex}");
+        let markdown = sample().render(Format::Markdown);
+        assert!(markdown.contains("| 1 | -1.5e-7 | a\\|b, 100 % \"c\" |\n"), "{markdown}");
+    }
+}

@@ -1,0 +1,104 @@
+//! What a subcommand prints: a table with named columns.
+
+/// One entry of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    /// A whole number; a number in JSON.
+    Integer(i64),
+    /// A decimal or a fraction whose every digit counts; a string in JSON, where numbers are read as f64.
+    Digits(String),
+    /// A number in double precision, printed with the fewest digits that give it back.
+    Float(f64),
+    /// Anything else.
+    Text(String),
+    /// Nothing; null in JSON.
+    Empty,
+}
+
+impl Cell {
+    /// Returns an exact or certified number as it is printed.
+    pub fn digits(value: impl ToString) -> Self {
+        Self::Digits(value.to_string())
+    }
+
+    /// Returns a text.
+    pub fn text(value: impl ToString) -> Self {
+        Self::Text(value.to_string())
+    }
+}
+
+impl From<usize> for Cell {
+    fn from(value: usize) -> Self {
+        i64::try_from(value).map_or_else(|_| Self::digits(value), Self::Integer)
+    }
+}
+
+impl From<i64> for Cell {
+    fn from(value: i64) -> Self {
+        Self::Integer(value)
+    }
+}
+
+impl From<f64> for Cell {
+    fn from(value: f64) -> Self {
+        Self::Float(value)
+    }
+}
+
+impl From<&str> for Cell {
+    fn from(value: &str) -> Self {
+        Self::text(value)
+    }
+}
+
+/// Named columns and rows of cells, with a title above and notes below.
+///
+/// Title and notes are for readers: text, Markdown and LaTeX show them, CSV and JSON leave them out.
+///
+/// # Examples
+///
+/// ```
+/// use restitution_cli::output::Format;
+/// use restitution_cli::{Cell, Table};
+///
+/// let mut table = Table::new(&["k", "value"]).titled("Coefficients");
+/// table.push(vec![1_usize.into(), Cell::digits("-1.15")]);
+/// assert_eq!(table.render(Format::Csv), "k,value\n1,-1.15\n");
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    pub(crate) title: Option<String>,
+    pub(crate) columns: Vec<String>,
+    pub(crate) rows: Vec<Vec<Cell>>,
+    pub(crate) notes: Vec<String>,
+}
+
+impl Table {
+    /// Returns an empty table with these columns.
+    pub fn new(columns: &[&str]) -> Self {
+        let columns = columns.iter().map(ToString::to_string).collect();
+        Self { title: None, columns, rows: Vec::new(), notes: Vec::new() }
+    }
+
+    /// Sets the title.
+    #[must_use]
+    pub fn titled(mut self, title: impl ToString) -> Self {
+        self.title = Some(title.to_string());
+        self
+    }
+
+    /// Adds a note below the rows.
+    pub fn note(&mut self, note: impl ToString) {
+        self.notes.push(note.to_string());
+    }
+
+    /// Adds a row.
+    ///
+    /// # Panics
+    ///
+    /// If the row has not one cell for each column.
+    pub fn push(&mut self, row: Vec<Cell>) {
+        assert_eq!(row.len(), self.columns.len(), "one cell for each column");
+        self.rows.push(row);
+    }
+}
