@@ -1,0 +1,64 @@
+use crate::{PadeError, RealField};
+use restitution_series::ZeroTest;
+
+/// Returns the null vector with the fewest leading coordinates, its last coordinate being 1.
+///
+/// `rows` holds fewer equations than unknowns, so there is one. Gauss's elimination goes through the
+/// columns in order; the first column that depends on those before it ends the vector. Hence for a
+/// polynomial `Q` given by its coefficients the answer is the one of least degree.
+///
+/// Exact for rationals. For balls a column is independent if some entry is certainly not zero, and
+/// the one largest in magnitude is the pivot.
+/// Cost: `n^3/3` multiplications for `n` rows.
+///
+/// # Errors
+///
+/// [`PadeError::Undecided`] if a column has no entry that is certainly nonzero but one that may be.
+pub(crate) fn null_vector<F: RealField>(mut rows: Vec<Vec<F>>, columns: usize) -> Result<Vec<F>, PadeError> {
+    for column in 0..columns {
+        let Some(pivot) = pivot(&rows, column)? else {
+            return Ok(back_substitute(&rows, column));
+        };
+        rows.swap(column, pivot);
+        let (done, below) = rows.split_at_mut(column + 1);
+        for row in below {
+            eliminate(row, &done[column], column);
+        }
+    }
+    Ok(Vec::new())
+}
+
+/// The best row, among those not used yet, to eliminate `column` with; `None` if all are zero there.
+fn pivot<F: RealField>(rows: &[Vec<F>], column: usize) -> Result<Option<usize>, PadeError> {
+    let open = rows.iter().enumerate().skip(column);
+    let nonzero = open.clone().filter(|(_, row)| row[column].zero_test() == ZeroTest::NonZero);
+    if let Some((index, _)) = nonzero.max_by_key(|(_, row)| row[column].pivot_rank()) {
+        return Ok(Some(index));
+    }
+    if open.clone().any(|(_, row)| row[column].zero_test() == ZeroTest::Undecided) {
+        return Err(PadeError::Undecided { what: "a pivot of the linear system" });
+    }
+    Ok(None)
+}
+
+/// Subtracts the multiple of `by` that clears `column`; entries before it are zero already.
+fn eliminate<F: RealField>(row: &mut [F], by: &[F], column: usize) {
+    if row[column].zero_test() == ZeroTest::Zero {
+        return;
+    }
+    let factor = std::mem::replace(&mut row[column], F::zero()) / &by[column];
+    for (entry, above) in row[column + 1..].iter_mut().zip(&by[column + 1..]) {
+        *entry = std::mem::replace(entry, F::zero()) - factor.times(above);
+    }
+}
+
+/// Solves the upper triangle above the dependent `column`.
+fn back_substitute<F: RealField>(rows: &[Vec<F>], column: usize) -> Vec<F> {
+    let mut vector = vec![F::one(); column + 1];
+    for r in (0..column).rev() {
+        let terms = rows[r][r + 1..=column].iter().zip(&vector[r + 1..]);
+        let sum = terms.fold(F::zero(), |sum, (entry, v)| sum + entry.times(v));
+        vector[r] = -sum / &rows[r][r];
+    }
+    vector
+}

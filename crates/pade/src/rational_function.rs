@@ -1,0 +1,97 @@
+use crate::{PadeError, PadeType, RealField, polynomial};
+use restitution_series::ZeroTest;
+
+/// A quotient of polynomials `P(x)/Q(x)` with `Q(0) = 1`.
+///
+/// Leading coefficients are not zero, so the degrees are exact; the zero function is `0/1` and has
+/// an empty numerator.
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_pade::{PadeError, RationalFunction};
+///
+/// let ints = |p: &[i64]| p.iter().map(|&c| BigRational::from_integer(c.into())).collect::<Vec<_>>();
+/// let f = RationalFunction::new(ints(&[2]), ints(&[2, -2]))?; // 1/(1 - x)
+/// assert_eq!(f.series(4), ints(&[1, 1, 1, 1]));
+/// assert_eq!(f.degrees().to_string(), "[0/1]");
+///
+/// assert_eq!(RationalFunction::new(ints(&[1]), ints(&[0, 1])), Err(PadeError::PoleAtZero));
+/// # Ok::<(), PadeError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct RationalFunction<F> {
+    num: Vec<F>,
+    den: Vec<F>,
+}
+
+impl<F: RealField> RationalFunction<F> {
+    /// Returns `num/den`, scaled to `den(0) = 1`. Common factors are left in place.
+    ///
+    /// # Errors
+    ///
+    /// [`PadeError::PoleAtZero`] if `den(0) = 0`, [`PadeError::Undecided`] if a ball leaves that or
+    /// the vanishing of a leading coefficient open.
+    pub fn new(mut num: Vec<F>, mut den: Vec<F>) -> Result<Self, PadeError> {
+        let constant = den.first().cloned().unwrap_or_else(F::zero);
+        match constant.zero_test() {
+            ZeroTest::Zero => return Err(PadeError::PoleAtZero),
+            ZeroTest::Undecided => {
+                return Err(PadeError::Undecided { what: "the constant term of the denominator" });
+            }
+            ZeroTest::NonZero => {}
+        }
+        for c in num.iter_mut().chain(den.iter_mut().skip(1)) {
+            *c = std::mem::replace(c, F::zero()) / &constant;
+        }
+        den[0] = F::one();
+        polynomial::trim(&mut num, "the leading coefficient of the numerator")?;
+        polynomial::trim(&mut den, "the leading coefficient of the denominator")?;
+        Ok(Self { num, den })
+    }
+
+    /// The coefficients of the numerator, constant term first; empty for the zero function.
+    pub fn num(&self) -> &[F] {
+        &self.num
+    }
+
+    /// The coefficients of the denominator, constant term (which is 1) first.
+    pub fn den(&self) -> &[F] {
+        &self.den
+    }
+
+    /// Whether this is the zero function.
+    pub fn is_zero(&self) -> bool {
+        self.num.is_empty()
+    }
+
+    /// The exact degrees; the zero function counts as `[0/0]`.
+    pub fn degrees(&self) -> PadeType {
+        PadeType::new(self.num.len().saturating_sub(1), self.den.len() - 1)
+    }
+
+    /// The value `P(x)/Q(x)`.
+    ///
+    /// # Errors
+    ///
+    /// [`PadeError::Undecided`] if `Q(x)` is or may be zero.
+    pub fn value(&self, x: &F) -> Result<F, PadeError> {
+        let den = polynomial::evaluate(&self.den, x);
+        match den.zero_test() {
+            ZeroTest::NonZero => Ok(polynomial::evaluate(&self.num, x) / den),
+            _ => Err(PadeError::Undecided { what: "the denominator at the point" }),
+        }
+    }
+
+    /// The first `len` coefficients of the power series at 0, from `Q A = P`.
+    pub fn series(&self, len: usize) -> Vec<F> {
+        let mut out: Vec<F> = Vec::with_capacity(len);
+        for n in 0..len {
+            let known = self.den.iter().skip(1).zip(out.iter().rev());
+            let sum = known.fold(F::zero(), |sum, (q, a)| sum + q.times(a));
+            out.push(self.num.get(n).cloned().unwrap_or_else(F::zero) - sum);
+        }
+        out
+    }
+}

@@ -1,0 +1,153 @@
+use crate::{PadeError, RealField, polynomial};
+use std::cmp::Ordering;
+
+/// Where zeros are counted.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Interval<F> {
+    /// `0 <= x < infinity`.
+    HalfLine,
+    /// `0 <= x <= end`, with `end > 0`.
+    UpTo(F),
+}
+
+/// Counts the distinct real zeros of a polynomial on the interval, by Sturm's theorem.
+///
+/// ```text
+/// p_0 = p,  p_1 = p',  p_(i+1) = -(p_(i-1) mod p_i),   #zeros in (0, b] = V(0) - V(b)
+/// ```
+///
+/// with `V` the number of sign changes along the chain; zeros at 0 are split off first. `None` for
+/// the zero polynomial. Exact for rationals; for balls the count holds for every polynomial in them.
+/// Cost: about `d^2` multiplications for degree `d`.
+///
+/// # Errors
+///
+/// [`PadeError::Undecided`] if a sign is not certain; among balls that includes multiple zeros.
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_pade::{Interval, PadeError, zeros};
+///
+/// let ints = |p: &[i64]| p.iter().map(|&c| BigRational::from_integer(c.into())).collect::<Vec<_>>();
+/// let cubic = ints(&[6, -5, -2, 1]); // (x - 1)(x + 2)(x - 3)
+/// assert_eq!(zeros(&cubic, &Interval::HalfLine)?, Some(2));
+/// assert_eq!(zeros(&cubic, &Interval::UpTo(ints(&[2])[0].clone()))?, Some(1));
+/// assert_eq!(zeros(&ints(&[0]), &Interval::HalfLine)?, None);
+/// # Ok::<(), PadeError>(())
+/// ```
+pub fn zeros<F: RealField>(p: &[F], interval: &Interval<F>) -> Result<Option<usize>, PadeError> {
+    let Some((p, at_zero)) = split_zero(p)? else { return Ok(None) };
+    let away = positive_zeros(&sturm_chain(&p)?, interval)?;
+    Ok(Some(away + usize::from(at_zero > 0)))
+}
+
+/// Counts the points `x > 0` of the interval where a polynomial changes its sign: the zeros of odd
+/// multiplicity. `None` for the zero polynomial.
+///
+/// ```text
+/// changes = n_1 - n_2 + n_3 - ...,   n_m = number of distinct zeros of multiplicity m or more
+/// ```
+///
+/// where the zeros of `gcd(p, p')`, the last of Sturm's chain, are those of multiplicity 2 or more.
+///
+/// # Errors
+///
+/// As [`zeros`].
+pub fn sign_changes<F: RealField>(p: &[F], interval: &Interval<F>) -> Result<Option<usize>, PadeError> {
+    let Some((mut p, _)) = split_zero(p)? else { return Ok(None) };
+    let (mut odd, mut even) = (0, 0);
+    while p.len() > 1 {
+        let mut chain = sturm_chain(&p)?;
+        odd += positive_zeros(&chain, interval)?;
+        p = chain.pop().unwrap_or_default();
+        std::mem::swap(&mut odd, &mut even);
+    }
+    Ok(Some(odd.abs_diff(even)))
+}
+
+/// The polynomial without its zeros at 0, trimmed, and how many they were.
+fn split_zero<F: RealField>(p: &[F]) -> Result<Option<(Vec<F>, usize)>, PadeError> {
+    let mut p = p.to_vec();
+    polynomial::trim(&mut p, "the leading coefficient of a polynomial whose zeros are counted")?;
+    let lowest = polynomial::lowest(&p, "the lowest coefficient of a polynomial whose zeros are counted")?;
+    Ok(lowest.map(|shift| (p.split_off(shift), shift)))
+}
+
+/// Sturm's chain, each remainder divided by the size of its leading coefficient.
+fn sturm_chain<F: RealField>(p: &[F]) -> Result<Vec<Vec<F>>, PadeError> {
+    let what = "the leading coefficient of a remainder in Sturm's chain";
+    let mut chain = vec![p.to_vec()];
+    let mut next = polynomial::derivative(p);
+    loop {
+        polynomial::trim(&mut next, what)?;
+        let Some(leading) = next.last() else { return Ok(chain) };
+        let positive = leading.sign() == Some(Ordering::Greater);
+        let size = if positive { leading.clone() } else { -leading.clone() };
+        next = next.into_iter().map(|c| c / &size).collect();
+        let rest = polynomial::divide(&chain[chain.len() - 1], &next).1;
+        chain.push(next);
+        next = rest.into_iter().map(|c| -c).collect();
+    }
+}
+
+/// `V(0) - V(b)`, the number of distinct zeros in `(0, b]`.
+///
+/// Dividing the chain by its last polynomial makes it a chain of simple zeros; that changes `V(0)`
+/// and `V(b)` only where the last polynomial vanishes, which at 0 it does not.
+fn positive_zeros<F: RealField>(chain: &[Vec<F>], interval: &Interval<F>) -> Result<usize, PadeError> {
+    let at_zero = chain.iter().map(|p| p[0].clone());
+    let at_end: Vec<F> = match interval {
+        Interval::HalfLine => chain.iter().map(|p| p[p.len() - 1].clone()).collect(),
+        Interval::UpTo(end) => {
+            let last = chain[chain.len() - 1].as_slice();
+            let simple = chain.iter().map(|p| polynomial::divide(p, last).0);
+            simple.map(|p| polynomial::evaluate(&p, end)).collect()
+        }
+    };
+    Ok(variations(at_zero)?.saturating_sub(variations(at_end)?))
+}
+
+/// The number of sign changes, zeros left out.
+fn variations<F: RealField>(values: impl IntoIterator<Item = F>) -> Result<usize, PadeError> {
+    let mut signs = Vec::new();
+    for value in values {
+        match value.sign() {
+            None => return Err(PadeError::Undecided { what: "a value in Sturm's chain" }),
+            Some(Ordering::Equal) => {}
+            Some(sign) => signs.push(sign),
+        }
+    }
+    signs.dedup();
+    Ok(signs.len().saturating_sub(1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_rational::BigRational;
+
+    fn from_roots(roots: &[i64]) -> Vec<BigRational> {
+        let int = |n: i64| BigRational::from_integer(n.into());
+        roots.iter().fold(vec![int(1)], |p, &r| polynomial::product(&p, &[int(-r), int(1)]))
+    }
+
+    #[test]
+    fn multiple_zeros_count_once_and_change_sign_if_odd() {
+        let p = from_roots(&[0, 0, 1, 2, 2, 3, 3, 3, -4, 5, 5, 5, 5]);
+        assert_eq!(zeros(&p, &Interval::HalfLine), Ok(Some(5)));
+        assert_eq!(sign_changes(&p, &Interval::HalfLine), Ok(Some(2)));
+        for (end, count, changes) in [(2, 3, 1), (3, 4, 2), (4, 4, 2)] {
+            let end = Interval::UpTo(BigRational::from_integer(end.into()));
+            assert_eq!(zeros(&p, &end), Ok(Some(count)));
+            assert_eq!(sign_changes(&p, &end), Ok(Some(changes)));
+        }
+    }
+
+    #[test]
+    fn constants_have_no_zeros() {
+        assert_eq!(zeros(&from_roots(&[]), &Interval::HalfLine), Ok(Some(0)));
+        assert_eq!(sign_changes(&from_roots(&[]), &Interval::HalfLine), Ok(Some(0)));
+    }
+}
