@@ -99,7 +99,7 @@ impl<F: RealField> Approximant<F> {
         }
         let scaled: Vec<F> = self.den().iter().map(|q| q.times(c)).collect();
         let mut out = polynomial::difference(self.num(), &scaled);
-        let known = F::product(&series, self.den(), series.len().min(out.len()));
+        let known = polynomial::product_trunc(&series, self.den(), series.len().min(out.len()));
         for (coefficient, sharp) in out.iter_mut().zip(known) {
             *coefficient = sharp;
         }
@@ -117,7 +117,7 @@ impl<F: RealField> Approximant<F> {
         }
         let slopes = polynomial::derivative(&self.shared);
         let known =
-            F::product(&slopes, &polynomial::product(den, den), slopes.len().min(out.len()));
+            polynomial::product_trunc(&slopes, &polynomial::product(den, den), slopes.len().min(out.len()));
         for (coefficient, sharp) in out.iter_mut().zip(known) {
             *coefficient = sharp;
         }
@@ -133,7 +133,7 @@ impl<F: RealField> Approximant<F> {
 ///
 /// The answer is the one quotient `P/Q` that these conditions leave, in lowest terms with `Q(0) = 1`,
 /// for every entry of the table: where several pairs solve them (a degenerate block), the pair with
-/// the denominator of least degree is found and its common power of `x` is taken out [GGT2013, sec. 2].
+/// the denominator of least degree is found and its common power of `x` is taken out \[GGT2013, sec. 2\].
 /// It then carries its exact type and its order of contact, which says whether `P/Q` itself or only
 /// `x^lambda (P, Q)` meets the conditions ([`Approximant::deficiency`]). The zero series gives `0/1`.
 ///
@@ -179,10 +179,11 @@ pub(crate) fn solve<F: RealField>(
         return Err(PadeError::NotEnoughCoefficients { asked, needed, known: series.len() });
     }
     let PadeType { numerator, denominator } = asked;
-    let mut rows: Vec<Vec<F>> = (numerator + 1..needed).map(|n| contact_row(series, n, denominator)).collect();
+    let mut rows: Vec<Vec<F>> =
+        (numerator + 1..needed).map(|n| contact_row(series, n, denominator)).collect();
     rows.extend((0..conditions).map(|i| infinity.row(series, asked, i)));
     let den = null_vector(rows, denominator + 1)?;
-    let num = F::product(series, &den, numerator + 1);
+    let num = polynomial::product_trunc(series, &den, numerator + 1);
     let lost = denominator + 1 - den.len();
     let shift = polynomial::lowest(&den, "the constant term of the denominator")?.unwrap_or(0);
     let num = num.into_iter().skip(shift).collect();

@@ -20,7 +20,7 @@ pub struct Link<F> {
 /// ```
 ///
 /// Every power series has exactly one, and it ends if and only if the series is a rational function
-/// [LS1939]; powers above 1 occur exactly where the Padé table has degenerate blocks on its staircase.
+/// \[LS1939\]; powers above 1 occur exactly where the Padé table has degenerate blocks on its staircase.
 /// With all powers 1 it is the regular C-fraction, whose convergents are the approximants
 /// `[0/0], [1/0], [1/1], [2/1], ...`.
 #[derive(Clone, Debug, PartialEq)]
@@ -117,9 +117,10 @@ impl<F: RealField> Pair<F> {
     fn take_link(&mut self) -> Result<Option<Link<F>>, PadeError> {
         let what = "a link of the continued fraction";
         for (blurred, sharp) in self.polynomial.iter_mut().zip(&self.series) {
-            if sharp.is_zero() {
-                *blurred = F::zero();
+            if !sharp.is_zero() {
+                break;
             }
+            *blurred = F::zero();
         }
         let sharp = polynomial::lowest(&self.series, what)?;
         let (power, coefficient) = match sharp {

@@ -58,7 +58,9 @@ pub enum PadeError {
     #[error("the denominator vanishes at 0: cancel the common power of x first")]
     PoleAtZero,
     /// The constants of a closed formula have no value at this point.
-    #[error("the denominator d_0 of the closed formulas is zero for these coefficients: use the general algorithm")]
+    #[error(
+        "the denominator d_0 of the closed formulas is zero for these coefficients: use the general algorithm"
+    )]
     ClosedFormulaFails,
     /// A range without points.
     #[error("the range from {low} to {high} is empty: give a lower end below the upper, neither negative")]

@@ -20,7 +20,21 @@ pub(crate) fn product<F: Field>(a: &[F], b: &[F]) -> Vec<F> {
     if a.is_empty() || b.is_empty() {
         return Vec::new();
     }
-    F::product(a, b, a.len() + b.len() - 1)
+    product_trunc(a, b, a.len() + b.len() - 1)
+}
+
+/// The first `len` coefficients of the product, term by term.
+///
+/// Degrees are small here, and a sum of terms keeps exact zeros exact, as a packed product of balls
+/// does not.
+pub(crate) fn product_trunc<F: Field>(a: &[F], b: &[F], len: usize) -> Vec<F> {
+    let mut out = vec![F::zero(); len];
+    for (i, x) in a.iter().enumerate().take(len) {
+        for (y, c) in b.iter().zip(&mut out[i..]) {
+            *c = std::mem::replace(c, F::zero()) + x.times(y);
+        }
+    }
+    out
 }
 
 /// `a - b`.

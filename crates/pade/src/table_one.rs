@@ -1,7 +1,7 @@
 use crate::{PadeError, RationalFunction, RealField};
 use restitution_series::ZeroTest;
 
-/// Returns the Padé formula (35) from the closed formulas of Table I of [RPBS1999].
+/// Returns the Padé formula (35) from the closed formulas of Table I of \[RPBS1999\].
 ///
 /// ```text
 /// eps = (1 + d_1 s)/(1 + d_2 s + d_3 s^2 + d_4 s^3 + d_5 s^4),    s = (g/g*)^(1/5)

@@ -10,7 +10,8 @@ pub enum Interval<F> {
     UpTo(F),
 }
 
-/// Counts the distinct real zeros of a polynomial on the interval, by Sturm's theorem.
+/// Counts the distinct real zeros of a polynomial on the interval, by Sturm's theorem, or by Descartes'
+/// rule of signs where that suffices.
 ///
 /// ```text
 /// p_0 = p,  p_1 = p',  p_(i+1) = -(p_(i-1) mod p_i),   #zeros in (0, b] = V(0) - V(b)
@@ -22,7 +23,7 @@ pub enum Interval<F> {
 ///
 /// # Errors
 ///
-/// [`PadeError::Undecided`] if a sign is not certain; among balls that includes multiple zeros.
+/// [`PadeError::Undecided`] if a sign is not certain; among balls that includes most multiple zeros.
 ///
 /// # Examples
 ///
@@ -39,7 +40,10 @@ pub enum Interval<F> {
 /// ```
 pub fn zeros<F: RealField>(p: &[F], interval: &Interval<F>) -> Result<Option<usize>, PadeError> {
     let Some((p, at_zero)) = split_zero(p)? else { return Ok(None) };
-    let away = positive_zeros(&sturm_chain(&p)?, interval)?;
+    let away = match by_descartes(&p, interval) {
+        Some(count) => count,
+        None => positive_zeros(&sturm_chain(&p)?, interval)?,
+    };
     Ok(Some(away + usize::from(at_zero > 0)))
 }
 
@@ -57,6 +61,9 @@ pub fn zeros<F: RealField>(p: &[F], interval: &Interval<F>) -> Result<Option<usi
 /// As [`zeros`].
 pub fn sign_changes<F: RealField>(p: &[F], interval: &Interval<F>) -> Result<Option<usize>, PadeError> {
     let Some((mut p, _)) = split_zero(p)? else { return Ok(None) };
+    if let Some(count) = by_descartes(&p, interval) {
+        return Ok(Some(count));
+    }
     let (mut odd, mut even) = (0, 0);
     while p.len() > 1 {
         let mut chain = sturm_chain(&p)?;
@@ -73,6 +80,21 @@ fn split_zero<F: RealField>(p: &[F]) -> Result<Option<(Vec<F>, usize)>, PadeErro
     polynomial::trim(&mut p, "the leading coefficient of a polynomial whose zeros are counted")?;
     let lowest = polynomial::lowest(&p, "the lowest coefficient of a polynomial whose zeros are counted")?;
     Ok(lowest.map(|shift| (p.split_off(shift), shift)))
+}
+
+/// The number of zeros in `(0, b]` where Descartes' rule of signs decides it: coefficients without a
+/// change of sign have no positive zero, those with one change have one, a simple one.
+fn by_descartes<F: RealField>(p: &[F], interval: &Interval<F>) -> Option<usize> {
+    let changes = variations(p.iter().cloned()).ok()?;
+    match (changes, interval) {
+        (0, _) => Some(0),
+        (1, Interval::HalfLine) => Some(1),
+        (1, Interval::UpTo(end)) => {
+            let (start, end) = (p.first()?.sign()?, polynomial::evaluate(p, end).sign()?);
+            Some(usize::from(start != end))
+        }
+        _ => None,
+    }
 }
 
 /// Sturm's chain, each remainder divided by the size of its leading coefficient.
@@ -110,17 +132,22 @@ fn positive_zeros<F: RealField>(chain: &[Vec<F>], interval: &Interval<F>) -> Res
 }
 
 /// The number of sign changes, zeros left out.
+///
+/// Between a positive and a negative value lies one change whatever stands there, so a sign that is
+/// open is needed only where its neighbours agree or at an end.
 fn variations<F: RealField>(values: impl IntoIterator<Item = F>) -> Result<usize, PadeError> {
-    let mut signs = Vec::new();
-    for value in values {
-        match value.sign() {
-            None => return Err(PadeError::Undecided { what: "a value in Sturm's chain" }),
-            Some(Ordering::Equal) => {}
-            Some(sign) => signs.push(sign),
-        }
+    let signs: Vec<_> = values.into_iter().map(|value| value.sign()).collect();
+    let needed = |i: usize| {
+        let neighbours =
+            i.checked_sub(1).and_then(|before| signs[before]).zip(*signs.get(i + 1).unwrap_or(&None));
+        !neighbours.is_some_and(|(before, after)| before == after.reverse() && before != Ordering::Equal)
+    };
+    if (0..signs.len()).any(|i| signs[i].is_none() && needed(i)) {
+        return Err(PadeError::Undecided { what: "a value in Sturm's chain" });
     }
-    signs.dedup();
-    Ok(signs.len().saturating_sub(1))
+    let mut changes: Vec<_> = signs.into_iter().flatten().filter(|sign| sign.is_ne()).collect();
+    changes.dedup();
+    Ok(changes.len().saturating_sub(1))
 }
 
 #[cfg(test)]
