@@ -147,9 +147,15 @@ impl Ball {
     #[must_use]
     pub fn shifted(&self, power: i32) -> Self {
         let mut out = self.clone();
-        out.mid <<= power;
-        out.rad <<= power;
+        out.shift(i64::from(power));
         out
+    }
+
+    /// Multiplies by `2^power` in place.
+    pub(crate) fn shift(&mut self, power: i64) {
+        let power = i32::try_from(power).unwrap_or(if power < 0 { i32::MIN } else { i32::MAX });
+        self.mid <<= power;
+        self.rad <<= power;
     }
 
     /// Returns the absolute value.

@@ -1,9 +1,10 @@
 use crate::Ball;
 use crate::ball::RADIUS_BITS;
 use crate::kronecker;
+use num_traits::Zero;
 use rug::float::Round;
-use rug::ops::{AddAssignRound, DivRounding, MulAssignRound};
-use rug::{Assign, Float, Integer};
+use rug::{Float, Integer};
+use std::borrow::Cow;
 
 /// Largest decay, in bits per index, that a vector is scaled by.
 const MAX_SLOPE: i64 = 256;
@@ -11,31 +12,33 @@ const MAX_SLOPE: i64 = 256;
 /// The coefficients of a power series of balls, as fixed-point integers ready to be multiplied.
 ///
 /// ```text
-/// a_i = 2^(-slope i) (n_i 2^exponent + e_i),   |n_i| <= 2^bits,   |e_i| <= error
+/// a_i = n_i 2^(exponent - slope i) + e_i,   |e_i| <= r_i
 /// ```
 ///
-/// The slope follows the decay of the coefficients, so that all of them keep their relative
-/// precision; then one error bound serves all, and a product costs one product of long integers.
+/// The slope follows the slowest decay of the coefficients; the integers of a product come from one
+/// product of long integers (Kronecker substitution), its radii from a convolution of magnitudes.
 ///
 /// # Error bound
 ///
-/// With `||a||` the sum of all `|n_i| 2^exponent`, coefficient `m` of `a b` is off by at most
-/// `2^(-slope m) (||a|| error_b + ||b|| error_a + len error_a error_b)`.
+/// Coefficient `m` of `a b` is off by at most `sum_(i+k=m) (|a_i| r_k + r_i |b_k| + r_i r_k)`, where
+/// `r_i` is the ball's radius and, if bits were cut off, one unit `2^(exponent - slope i)`.
 #[derive(Clone, Debug)]
 pub struct BallVector {
     balls: Vec<Ball>,
+    /// How many coefficients at the beginning are exactly zero.
+    zeros: usize,
     image: Option<Image>,
 }
 
-/// The integers of a vector at one slope and precision.
+/// The integers of a vector at one slope and precision, with scaled bounds of sizes and errors.
 #[derive(Clone, Debug)]
 struct Image {
     packed: Integer,
     slope: i64,
     bits: u32,
     exponent: i64,
-    norm: Float,
-    error: Float,
+    sizes: Magnitudes,
+    errors: Magnitudes,
 }
 
 impl BallVector {
@@ -43,42 +46,82 @@ impl BallVector {
     pub fn new(balls: &[Ball], len: usize) -> Self {
         let balls = balls[..balls.len().min(len)].to_vec();
         let image = Image::new(&balls, decay(&balls), precision(&balls));
-        Self { balls, image }
+        let zeros = balls.iter().position(|b| !b.is_zero()).unwrap_or(usize::MAX / 2);
+        Self { balls, zeros, image }
     }
 
     /// Returns the first `len` coefficients of `sum_t weight_t a_t b_t` over the given terms.
     pub fn sum_of_products(terms: &[(i64, &Self, &Self)], len: usize) -> Vec<Ball> {
-        let mut total: Option<Vec<Ball>> = None;
-        for (weight, a, b) in terms {
-            let product = Self::product(a, b, len);
-            let weighted = product
-                .into_iter()
-                .map(|c| if *weight == 1 { c } else { c * Ball::from_integer(*weight, 64) });
-            total = Some(match total {
-                None => weighted.collect(),
-                Some(sum) => sum.into_iter().zip(weighted).map(|(x, y)| x + y).collect(),
-            });
-        }
-        total.unwrap_or_else(|| vec![num_traits::Zero::zero(); len])
+        let known = |(_, a, b): &&(i64, &Self, &Self)| a.zeros + b.zeros < len;
+        let terms: Vec<_> = terms.iter().filter(known).collect();
+        let zeros = terms.iter().map(|(_, a, b)| a.zeros + b.zeros).min().unwrap_or(len);
+        let vectors = || terms.iter().flat_map(|(_, a, b)| [a, b]);
+        let bits = vectors().map(|v| precision(&v.balls)).max().unwrap_or(64);
+        let slopes = vectors().map(|v| v.image.as_ref().map(|image| image.slope));
+        let Some(slope) = slopes.reduce(|x, y| Some(flatter(x?, y?))).unwrap_or(Some(0)) else {
+            return vec![Ball::whole_line(bits); len];
+        };
+        let product = |(weight, a, b): &&(i64, &Self, &Self)| {
+            Some(Image::product(*weight, &*a.image_at(slope, bits)?, &*b.image_at(slope, bits)?, len))
+        };
+        let sum = match terms.iter().map(product).collect::<Option<Vec<Product>>>() {
+            Some(products) => Product::sum(products, bits, len),
+            None => return vec![Ball::whole_line(bits); len],
+        };
+        let exact = |(m, c)| if m < zeros { Ball::zero() } else { c };
+        sum.into_balls(slope, bits).enumerate().map(exact).collect()
     }
 
     /// Returns the first `len` coefficients of the product of two vectors.
     pub fn product(a: &Self, b: &Self, len: usize) -> Vec<Ball> {
-        if a.balls.iter().all(num_traits::Zero::is_zero) || b.balls.iter().all(num_traits::Zero::is_zero) {
-            return vec![num_traits::Zero::zero(); len];
+        Self::sum_of_products(&[(1, a, b)], len)
+    }
+
+    fn image_at(&self, slope: i64, bits: u32) -> Option<Cow<'_, Image>> {
+        match &self.image {
+            Some(image) if image.slope == slope && image.bits == bits => Some(Cow::Borrowed(image)),
+            _ => Image::new(&self.balls, slope, bits).map(Cow::Owned),
         }
-        let (Some(image_a), Some(image_b)) = (&a.image, &b.image) else {
-            return vec![Ball::whole_line(precision(&a.balls).max(precision(&b.balls))); len];
-        };
-        if image_a.slope == image_b.slope && image_a.bits == image_b.bits {
-            return Image::product(image_a, image_b, a.balls.len().min(b.balls.len()), len);
+    }
+}
+
+/// The scaled coefficients of a product: `integers[m] 2^exponent` up to `errors`.
+struct Product {
+    integers: Vec<Integer>,
+    exponent: i64,
+    errors: Magnitudes,
+}
+
+impl Product {
+    /// Adds products up, on the finest exponent that does not exceed the precision twice over.
+    fn sum(products: Vec<Self>, bits: u32, len: usize) -> Self {
+        let exponents = || products.iter().map(|p| p.exponent);
+        let (finest, coarsest) = (exponents().min().unwrap_or(0), exponents().max().unwrap_or(0));
+        let exponent = finest.max(coarsest - 2 * i64::from(bits) - 64);
+        let mut sum = Self { integers: vec![Integer::new(); len], exponent, errors: Magnitudes::zero(len) };
+        for product in products {
+            let shift = product.exponent - exponent;
+            for (total, integer) in sum.integers.iter_mut().zip(product.integers) {
+                *total += integer << i32::try_from(shift).unwrap_or(i32::MIN);
+            }
+            sum.errors.add(&product.errors);
+            if shift < 0 {
+                sum.errors.add(&Magnitudes { values: vec![1.0; len], exponent });
+            }
         }
-        let slope = image_a.slope.min(image_b.slope);
-        let bits = image_a.bits.max(image_b.bits);
-        match (Image::new(&a.balls, slope, bits), Image::new(&b.balls, slope, bits)) {
-            (Some(x), Some(y)) => Image::product(&x, &y, a.balls.len().min(b.balls.len()), len),
-            _ => vec![Ball::whole_line(bits); len],
-        }
+        sum
+    }
+
+    fn into_balls(self, slope: i64, bits: u32) -> impl Iterator<Item = Ball> {
+        let Self { integers, exponent, errors } = self;
+        integers.into_iter().enumerate().map(move |(m, integer)| {
+            let mut ball = Ball::rounded(bits, &integer);
+            let unit = -slope * as_i64(m);
+            ball.shift(exponent);
+            ball.widen(&errors.get(m));
+            ball.shift(unit);
+            ball
+        })
     }
 }
 
@@ -92,44 +135,97 @@ impl Image {
             |(i, b): (usize, &Ball)| b.mid.get_exp().map(|e| i64::from(e) + slope * as_i64(i));
         let top = balls.iter().enumerate().filter_map(scaled_exponent).max().unwrap_or(0);
         let exponent = top - i64::from(bits);
-        let mut norm = Float::new(RADIUS_BITS);
-        let mut error = Float::new(RADIUS_BITS);
         let mut integers = Vec::with_capacity(balls.len());
+        let mut errors = Vec::with_capacity(balls.len());
         for (i, ball) in balls.iter().enumerate() {
-            let shift = slope * as_i64(i);
-            let (integer, exact) = fixed_point(&ball.mid, shift - exponent);
-            let mut own = scaled_up(&ball.rad, shift);
-            if !exact {
-                own.add_assign_round(&power_of_two(exponent), Round::Up);
-            }
-            error = error.max(&own);
-            norm.add_assign_round(
-                &Float::with_val_round(RADIUS_BITS, &*integer.as_abs(), Round::Up).0,
-                Round::Up,
-            );
+            let unit = exponent - slope * as_i64(i);
+            let (integer, exact) = fixed_point(&ball.mid, -unit);
+            errors.push(if exact { ball.rad.clone() } else { sum_up(&ball.rad, &power_of_two(unit)) });
             integers.push(integer);
         }
-        norm.mul_assign_round(&power_of_two(exponent), Round::Up);
         let packed = kronecker::pack(integers.iter(), slot(bits));
-        Some(Self { packed, slope, bits, exponent, norm, error })
+        let scaled = |(i, x): (usize, Float)| shifted(&x, slope * as_i64(i));
+        let sizes = Magnitudes::new(balls.iter().map(Ball::abs_up).enumerate().map(scaled));
+        let errors = Magnitudes::new(errors.into_iter().enumerate().map(scaled));
+        Some(Self { packed, slope, bits, exponent, sizes, errors })
     }
 
     /// Multiplies two images of the same slope and precision.
-    fn product(a: &Self, b: &Self, terms: usize, len: usize) -> Vec<Ball> {
-        let integers = kronecker::unpack(&Integer::from(&a.packed * &b.packed), slot(a.bits), len);
-        let mut error = up(&a.norm, &b.error);
-        error.add_assign_round(&up(&b.norm, &a.error), Round::Up);
-        let mut both = up(&a.error, &b.error);
-        both.mul_assign_round(terms as u64, Round::Up);
-        error.add_assign_round(&both, Round::Up);
-        let exponent = a.exponent + b.exponent;
-        let ball = |(m, integer): (usize, Integer)| {
-            let shift = a.slope * as_i64(m);
-            let mut ball = Ball::rounded(a.bits, &integer);
-            ball = ball.shifted(as_i32(exponent - shift));
-            ball.widened(&scaled_up(&error, -shift))
+    fn product(weight: i64, a: &Self, b: &Self, len: usize) -> Product {
+        let mut integers = kronecker::unpack(&Integer::from(&a.packed * &b.packed), slot(a.bits), len);
+        if weight != 1 {
+            integers.iter_mut().for_each(|c| *c *= weight);
+        }
+        // |A B - a b| <= |A| r_b + r_a |b|, with |A| <= sizes.
+        let mut errors = a.sizes.convolution(&b.errors, len);
+        errors.add(&a.errors.convolution(&b.sizes, len));
+        errors.scale(weight.unsigned_abs());
+        Product { integers, exponent: a.exponent + b.exponent, errors }
+    }
+}
+
+/// Upper bounds `values[i] 2^exponent` of nonnegative numbers.
+#[derive(Clone, Debug)]
+struct Magnitudes {
+    values: Vec<f64>,
+    exponent: i64,
+}
+
+impl Magnitudes {
+    /// The smallest value that is told from zero; products of two still are normal numbers.
+    const LEAST: f64 = f64::from_bits((1023 - 500) << 52);
+
+    fn new(bounds: impl Iterator<Item = Float>) -> Self {
+        let bounds: Vec<Float> = bounds.collect();
+        let exponent = bounds.iter().filter_map(Float::get_exp).max().map_or(0, i64::from);
+        let value = |x: &Float| {
+            if x.is_zero() { 0.0 } else { shifted(x, -exponent).to_f64_round(Round::Up).max(Self::LEAST) }
         };
-        integers.into_iter().enumerate().map(ball).collect()
+        Self { values: bounds.iter().map(value).collect(), exponent }
+    }
+
+    fn zero(len: usize) -> Self {
+        Self { values: vec![0.0; len], exponent: i64::MIN / 2 }
+    }
+
+    /// Adds other bounds; what is too small for the larger exponent counts as the least value.
+    fn add(&mut self, other: &Self) {
+        let exponent = self.exponent.max(other.exponent);
+        let factor =
+            |from: i64| if exponent - from > 1000 { 0.0 } else { 2f64.powi((from - exponent) as i32) };
+        let (own, its) = (factor(self.exponent), factor(other.exponent));
+        let scaled = |x: f64, factor: f64| if x > 0.0 { (x * factor).max(Self::LEAST) } else { 0.0 };
+        for (x, &y) in self.values.iter_mut().zip(&other.values) {
+            *x = (scaled(*x, own) + scaled(y, its)) * (1.0 + 1e-12);
+        }
+        self.exponent = exponent;
+    }
+
+    fn scale(&mut self, factor: u64) {
+        if factor != 1 {
+            self.values.iter_mut().for_each(|x| *x *= factor as f64 * (1.0 + 1e-12));
+        }
+    }
+
+    /// Upper bounds of `sum_(i+k=m) a_i b_k`, `m < len`.
+    ///
+    /// All terms are nonnegative, so `len` roundings to nearest lose less than `len 2^-52` of the sum.
+    fn convolution(&self, other: &Self, len: usize) -> Self {
+        let mut values = vec![0.0; len];
+        if other.values.iter().any(|&x| x > 0.0) {
+            for (i, &x) in self.values.iter().enumerate().take(len).filter(|(_, x)| **x > 0.0) {
+                for (sum, &y) in values[i..].iter_mut().zip(&other.values) {
+                    *sum += x * y;
+                }
+            }
+        }
+        values.iter_mut().for_each(|v| *v *= 1.0 + 1e-6);
+        Self { values, exponent: self.exponent + other.exponent }
+    }
+
+    fn get(&self, index: usize) -> Float {
+        let value = self.values.get(index).copied().unwrap_or(0.0);
+        shifted(&Float::with_val_round(RADIUS_BITS, value, Round::Up).0, self.exponent)
     }
 }
 
@@ -144,7 +240,7 @@ fn fixed_point(x: &Float, shift: i64) -> (Integer, bool) {
         return (integer, true);
     }
     let cut = u32::try_from(-total).unwrap_or(u32::MAX);
-    let exact = integer.is_zero() || integer.find_one(0).is_some_and(|lowest| lowest >= cut);
+    let exact = integer.find_one(0).is_none_or(|lowest| lowest >= cut);
     integer >>= cut;
     (integer, exact)
 }
@@ -159,40 +255,44 @@ fn precision(balls: &[Ball]) -> u32 {
     balls.iter().map(Ball::prec).max().unwrap_or(64)
 }
 
-/// Bits per index by which the coefficients fall, rounded down.
+/// The slope at which no midpoint, once scaled, exceeds the largest: the whole number of bits per index
+/// by which all fall off from it to the right; or, negative, to the left if there are more on that side.
 fn decay(balls: &[Ball]) -> i64 {
-    let size = |b: &Ball| b.mid.get_exp().map(i64::from);
-    let mut sizes = balls.iter().enumerate().filter_map(|(i, b)| size(b).map(|e| (as_i64(i), e)));
-    let (Some((first, high)), Some((last, low))) = (sizes.next(), sizes.next_back()) else {
-        return 0;
-    };
-    DivRounding::div_floor(high - low, last - first).clamp(-MAX_SLOPE, MAX_SLOPE)
+    let size = |(i, b): (usize, &Ball)| b.mid.get_exp().map(|e| (as_i64(i), i64::from(e)));
+    let sizes: Vec<_> = balls.iter().enumerate().filter_map(size).collect();
+    let Some(&(top, high)) = sizes.iter().max_by_key(|(i, e)| (*e, -i)) else { return 0 };
+    let right = sizes.iter().filter(|(i, _)| *i > top).map(|(i, e)| (high - e) / (i - top));
+    let left = sizes.iter().filter(|(i, _)| *i < top).map(|(i, e)| (high - e) / (top - i));
+    let falls_right = right.clone().count() >= left.clone().count();
+    let slope = if falls_right { right.min() } else { left.min().map(|slope| -slope) };
+    slope.unwrap_or(0).clamp(-MAX_SLOPE, MAX_SLOPE)
 }
 
-fn up(x: &Float, y: &Float) -> Float {
-    Float::with_val_round(RADIUS_BITS, x * y, Round::Up).0
+/// The slope nearer to zero, zero if they have different signs.
+fn flatter(x: i64, y: i64) -> i64 {
+    match (x >= 0, y >= 0) {
+        (true, true) => x.min(y),
+        (false, false) => x.max(y),
+        _ => 0,
+    }
 }
 
-fn scaled_up(x: &Float, shift: i64) -> Float {
+fn sum_up(x: &Float, y: &Float) -> Float {
+    Float::with_val_round(RADIUS_BITS, x + y, Round::Up).0
+}
+
+fn shifted(x: &Float, shift: i64) -> Float {
     let mut out = x.clone();
-    out <<= as_i32(shift);
+    out <<= i32::try_from(shift).unwrap_or(if shift < 0 { i32::MIN } else { i32::MAX });
     out
 }
 
 fn power_of_two(exponent: i64) -> Float {
-    let mut out = Float::new(RADIUS_BITS);
-    out.assign(1);
-    out <<= as_i32(exponent);
-    out
+    shifted(&Float::with_val(RADIUS_BITS, 1), exponent)
 }
 
 fn as_i64(index: usize) -> i64 {
     i64::try_from(index).unwrap_or(i64::MAX)
-}
-
-/// Exponents stay far inside MPFR's range; one that does not saturates to an infinite radius or zero.
-fn as_i32(shift: i64) -> i32 {
-    i32::try_from(shift).unwrap_or(if shift < 0 { i32::MIN } else { i32::MAX })
 }
 
 #[cfg(test)]

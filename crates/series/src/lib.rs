@@ -1,7 +1,24 @@
 //! Exact power series of the damped collision and the expansion coefficients they give.
 
+mod coefficients;
+mod damped;
+mod error;
+mod expansion;
 mod field;
 mod field_ball;
 mod field_rational;
+mod fractional_series;
+mod inverse_collision;
+mod linearised;
+mod print;
+mod trajectories;
+mod turning_point;
+mod turning_time;
+mod undamped;
 
+pub use coefficients::{Quantity, coefficients, coefficients_watched};
+pub use error::SeriesError;
 pub use field::{Field, ZeroTest};
+pub use fractional_series::FractionalSeries;
+pub use trajectories::{Trajectories, Units};
+pub use turning_time::turning_time;

@@ -1,0 +1,66 @@
+use num_rational::Ratio;
+
+/// Why a series operation or an expansion could not be carried out.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SeriesError {
+    /// The operation needs a nonzero constant term.
+    #[error("the {operation} of a series needs a constant term that is certainly not zero")]
+    ZeroConstantTerm {
+        /// The operation that was asked for.
+        operation: &'static str,
+    },
+    /// The composition needs an inner series without constant term.
+    #[error("a series can only be composed with one whose constant term is exactly zero")]
+    InnerConstantTerm,
+    /// The reversion needs a series that begins with a multiple of `t`.
+    #[error("only a series that begins with a nonzero multiple of t can be reversed")]
+    NotReversible,
+    /// The leading coefficient has no such power in the field.
+    #[error("the coefficient {coefficient} has no power {exponent} in this field")]
+    NoPower {
+        /// The leading coefficient.
+        coefficient: String,
+        /// The exponent asked for.
+        exponent: String,
+    },
+    /// The result has exponents that are no multiples of the series' step.
+    #[error("the result has exponents outside the multiples of 1/{unit}: give the series a finer step")]
+    OffLattice {
+        /// Lattice steps that make one power of `t`.
+        unit: i64,
+    },
+    /// The result has a negative exponent.
+    #[error("the result would begin with the negative power t^({exponent})")]
+    NegativeExponent {
+        /// The exponent.
+        exponent: Ratio<i64>,
+    },
+    /// Two series count in different fractions of a power.
+    #[error("the series have steps 1/{left} and 1/{right}: bring them to one step first")]
+    DifferentSteps {
+        /// Lattice steps per power on the left.
+        left: i64,
+        /// Lattice steps per power on the right.
+        right: i64,
+    },
+    /// A coefficient at or beyond the truncation order was asked for.
+    #[error("the coefficient of t^({exponent}) is unknown: the series is truncated at O(t^({order}))")]
+    BeyondTruncation {
+        /// The exponent asked for.
+        exponent: Ratio<i64>,
+        /// The first unknown exponent.
+        order: Ratio<i64>,
+    },
+    /// A certified number could not be given.
+    #[error(transparent)]
+    Real(#[from] restitution_real::RealError),
+    /// A damping order that was not computed was asked for.
+    #[error("order {asked} in the damping was asked for, but only orders up to {known} were computed")]
+    BeyondDampingOrder {
+        /// The order asked for.
+        asked: usize,
+        /// The highest order known.
+        known: usize,
+    },
+}

@@ -1,0 +1,344 @@
+use crate::{Field, SeriesError, ZeroTest};
+use num_rational::{BigRational, Ratio};
+use num_traits::{One, Signed, ToPrimitive};
+
+/// A power series in `t^(1/unit)` that knows where it ends.
+///
+/// ```text
+/// s = sum_(k < order) c_k t^(k/unit) + O(t^(order/unit))
+/// ```
+///
+/// The trajectories of spheres are series in half powers, `unit = 2`. The absolute truncation order is
+/// part of the value: every operation gives as many terms as its operands prove and no more, and a
+/// coefficient beyond it is unknown, never zero. Exact over the rationals, enclosing over balls.
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_series::{FractionalSeries, SeriesError};
+///
+/// let s = FractionalSeries::<BigRational>::from_integers(2, &[1, -1, 0, 0]);
+/// assert_eq!(s.to_string(), "1 - t^(1/2) + O(t^2)");
+/// assert_eq!(s.recip()?.to_string(), "1 + t^(1/2) + t + t^(3/2) + O(t^2)");
+///
+/// let t = FractionalSeries::<BigRational>::from_integers(2, &[0, 0, 1]);
+/// assert!(matches!(t.recip(), Err(SeriesError::ZeroConstantTerm { .. })));
+/// # Ok::<(), SeriesError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct FractionalSeries<T> {
+    unit: i64,
+    coefficients: Vec<T>,
+}
+
+impl<T: Field> FractionalSeries<T> {
+    /// Returns the series in `t^(1/unit)` with the given coefficients, truncated after them.
+    ///
+    /// A `unit` below 1 is read as 1.
+    pub fn new(unit: i64, coefficients: Vec<T>) -> Self {
+        Self { unit: unit.max(1), coefficients }
+    }
+
+    /// Returns the series with the given integers as coefficients.
+    pub fn from_integers(unit: i64, coefficients: &[i64]) -> Self {
+        Self::new(unit, coefficients.iter().map(|&n| T::one().ratio(n, 1)).collect())
+    }
+
+    /// How many lattice steps make one power of `t`.
+    pub fn unit(&self) -> i64 {
+        self.unit
+    }
+
+    /// The index of the first unknown coefficient: the series ends with `O(t^(order/unit))`.
+    pub fn order(&self) -> usize {
+        self.coefficients.len()
+    }
+
+    /// The known coefficients, by index.
+    pub fn coefficients(&self) -> &[T] {
+        &self.coefficients
+    }
+
+    /// Returns the coefficient of `t^(index/unit)`.
+    ///
+    /// # Errors
+    ///
+    /// [`SeriesError::BeyondTruncation`] if it is not known.
+    pub fn coefficient(&self, index: usize) -> Result<&T, SeriesError> {
+        let beyond = || SeriesError::BeyondTruncation {
+            exponent: self.exponent(index),
+            order: self.exponent(self.order()),
+        };
+        self.coefficients.get(index).ok_or_else(beyond)
+    }
+
+    /// The exponent `index/unit`.
+    pub fn exponent(&self, index: usize) -> Ratio<i64> {
+        Ratio::new(as_i64(index), self.unit)
+    }
+
+    /// The index of the first coefficient that is not exactly zero; the order if there is none.
+    pub fn valuation(&self) -> usize {
+        self.coefficients.iter().position(|c| !c.is_zero()).unwrap_or(self.order())
+    }
+
+    /// Returns the series cut off at a lower order.
+    #[must_use]
+    pub fn truncated(&self, order: usize) -> Self {
+        Self::new(self.unit, self.coefficients[..order.min(self.order())].to_vec())
+    }
+
+    /// Returns the sum, known to the lower of the two orders.
+    ///
+    /// # Errors
+    ///
+    /// [`SeriesError::DifferentSteps`] unless both have the same unit.
+    pub fn add(&self, other: &Self) -> Result<Self, SeriesError> {
+        self.same_unit(other)?;
+        let sum = self.coefficients.iter().zip(&other.coefficients).map(|(x, y)| x.clone() + y);
+        Ok(Self::new(self.unit, sum.collect()))
+    }
+
+    /// Returns the difference, known to the lower of the two orders.
+    ///
+    /// # Errors
+    ///
+    /// As [`FractionalSeries::add`].
+    pub fn subtract(&self, other: &Self) -> Result<Self, SeriesError> {
+        self.add(&other.map(|c| -c.clone()))
+    }
+
+    /// Returns the product, known to `min(order_a + valuation_b, order_b + valuation_a)`.
+    ///
+    /// # Errors
+    ///
+    /// As [`FractionalSeries::add`].
+    pub fn multiply(&self, other: &Self) -> Result<Self, SeriesError> {
+        self.same_unit(other)?;
+        let (low_a, low_b) = (self.valuation(), other.valuation());
+        let known = (self.order() - low_a).min(other.order() - low_b);
+        let product = T::product(&self.coefficients[low_a..], &other.coefficients[low_b..], known);
+        Ok(Self::shifted(self.unit, product, low_a + low_b))
+    }
+
+    /// Returns every coefficient times the fraction `numerator/denominator` (`denominator != 0`).
+    #[must_use]
+    pub fn scaled(&self, numerator: i64, denominator: i64) -> Self {
+        self.map(|c| c.scaled(numerator, denominator))
+    }
+
+    /// Returns the derivative by `t`: `sum_k (k/unit) c_k t^(k/unit - 1)`.
+    ///
+    /// # Errors
+    ///
+    /// [`SeriesError::NegativeExponent`] if there is a term with an exponent strictly between 0 and 1.
+    pub fn derivative(&self) -> Result<Self, SeriesError> {
+        let unit = as_usize(self.unit);
+        let derived = T::scale_each(&self.coefficients, &|k| (as_i64(k), self.unit));
+        if let Some(k) = derived.iter().take(unit).position(|c| !c.is_zero()) {
+            return Err(SeriesError::NegativeExponent { exponent: self.exponent(k) - 1 });
+        }
+        Ok(Self::new(self.unit, derived.into_iter().skip(unit).collect()))
+    }
+
+    /// Returns the integral from 0: `sum_k c_k/(k/unit + 1) t^(k/unit + 1)`.
+    #[must_use]
+    pub fn integral(&self) -> Self {
+        let integrated = T::scale_each(&self.coefficients, &|k| (self.unit, as_i64(k) + self.unit));
+        Self::shifted(self.unit, integrated, as_usize(self.unit))
+    }
+
+    /// Returns the reciprocal `1/s`, known to the order of `s`, by Newton's iteration `r <- r (2 - s r)`.
+    ///
+    /// # Errors
+    ///
+    /// [`SeriesError::ZeroConstantTerm`] unless the constant term is certainly not zero.
+    pub fn recip(&self) -> Result<Self, SeriesError> {
+        let first = self.coefficients.first().filter(|c| c.zero_test() == ZeroTest::NonZero);
+        let first = first.ok_or(SeriesError::ZeroConstantTerm { operation: "reciprocal" })?;
+        let mut r = vec![T::one() / first];
+        while r.len() < self.order() {
+            let known = r.len();
+            let next = (2 * known).min(self.order());
+            let defect = T::product(&self.coefficients, &r, next);
+            r.extend(T::product(&defect[known..], &r, next - known).into_iter().map(|c| -c));
+        }
+        Ok(Self::new(self.unit, r))
+    }
+
+    /// Returns the power `s^p` for a rational exponent.
+    ///
+    /// With `s = c t^v (1 + f)`, `s^p = c^p t^(v p) (1 + f)^p`, and the last factor by Miller's formula
+    /// (Knuth, *TAOCP* vol. 2, sec. 4.7):
+    ///
+    /// ```text
+    /// k g_k = sum_(i=1..k) (p i - (k-i)) f_i g_(k-i)
+    /// ```
+    ///
+    /// Known to as many terms beyond the first as `s`. Cost: `N^2/2` multiplications for `N` terms.
+    ///
+    /// # Errors
+    ///
+    /// [`SeriesError::ZeroConstantTerm`] if all known coefficients may be zero,
+    /// [`SeriesError::NoPower`] if the field has no `c^p`, [`SeriesError::OffLattice`] if `v p` is no
+    /// multiple of the step, [`SeriesError::NegativeExponent`] if it is negative.
+    pub fn power(&self, exponent: &BigRational) -> Result<Self, SeriesError> {
+        if exponent.is_one() {
+            return Ok(self.clone());
+        }
+        let low = self.valuation();
+        let lead = self.coefficients.get(low).filter(|c| c.zero_test() == ZeroTest::NonZero);
+        let lead = lead.ok_or(SeriesError::ZeroConstantTerm { operation: "power" })?;
+        let no_power =
+            || SeriesError::NoPower { coefficient: format!("{lead:?}"), exponent: exponent.to_string() };
+        let small = small_fraction(exponent).ok_or_else(no_power)?;
+        let factor = lead.power(exponent).ok_or_else(no_power)?;
+        let shift = BigRational::from_integer(low.into()) * exponent;
+        if shift.is_negative() {
+            return Err(SeriesError::NegativeExponent {
+                exponent: Ratio::new(shift.to_integer().to_i64().unwrap_or(i64::MIN), self.unit),
+            });
+        }
+        if !shift.is_integer() {
+            return Err(SeriesError::OffLattice { unit: self.unit });
+        }
+        let shift =
+            usize::try_from(shift.to_integer()).map_err(|_| SeriesError::OffLattice { unit: self.unit })?;
+        let f: Vec<T> = self.coefficients[low..].iter().map(|c| c.clone() / lead).collect();
+        let power = unit_power(&f, small).into_iter().map(|c| c * &factor).collect();
+        Ok(Self::shifted(self.unit, power, shift))
+    }
+
+    /// Returns the composition `s(inner(t))` for an inner series without constant term.
+    ///
+    /// Known to the least of what the cut-off tails of both can reach. Cost: one product for each
+    /// coefficient of `s` (Horner's scheme).
+    ///
+    /// # Errors
+    ///
+    /// [`SeriesError::InnerConstantTerm`] if the inner series does not certainly vanish at 0, and what
+    /// [`FractionalSeries::power`] says where `s` has fractional powers.
+    pub fn compose(&self, inner: &Self) -> Result<Self, SeriesError> {
+        let low = inner.valuation();
+        if low == 0 || inner.order() == 0 {
+            return Err(SeriesError::InnerConstantTerm);
+        }
+        let stride = self.stride();
+        let step = inner.power(&BigRational::new(stride.into(), self.unit.into()))?;
+        // The unknown tail of s begins with inner^(order/unit), the unknown tail of inner enters with the
+        // first power that occurs.
+        let steps = self.order().div_ceil(stride);
+        let order = (step.valuation() * steps).min(step.order());
+        let padded = |v: &[T]| {
+            v.iter().cloned().chain(std::iter::repeat_with(T::zero)).take(order).collect::<Vec<_>>()
+        };
+        let factor = T::factor(&padded(&step.coefficients), order);
+        let mut sum = vec![T::zero(); order];
+        for k in (0..steps).rev() {
+            sum = T::sum_of_products(&[(1, &T::factor(&sum, order), &factor)], order);
+            if let (Some(constant), Some(c)) = (sum.first_mut(), self.coefficients.get(k * stride)) {
+                *constant = c.clone() + &*constant;
+            }
+        }
+        Ok(Self::new(inner.unit, sum))
+    }
+
+    /// Returns the inverse function `g` with `s(g(t)) = t`, for `s = c t + ...`, `c != 0`.
+    ///
+    /// With `z = t^(1/m)` the step of `s = c t phi(z)`, Lagrange's formula gives
+    ///
+    /// ```text
+    /// [z^k] g(c t) = (m/k) [z^(k-m)] phi^(-k/m)
+    /// ```
+    ///
+    /// Known to the order of `s`. Cost: one product for each coefficient.
+    ///
+    /// # Errors
+    ///
+    /// [`SeriesError::NotReversible`] unless `s` begins with a certainly nonzero multiple of `t`,
+    /// [`SeriesError::NoPower`] if `c` lacks a root that a fractional power needs.
+    pub fn reverse(&self) -> Result<Self, SeriesError> {
+        let unit = as_usize(self.unit);
+        let lead = self.coefficients.get(unit).filter(|c| c.zero_test() == ZeroTest::NonZero);
+        let lead = lead.filter(|_| self.valuation() == unit).ok_or(SeriesError::NotReversible)?;
+        let stride = self.stride();
+        let m = unit / stride;
+        let phi: Vec<T> =
+            self.coefficients[unit..].iter().step_by(stride).map(|c| c.clone() / lead).collect();
+        let len = phi.len();
+        let root = unit_power(&phi, (-1, as_i64(m)));
+        let factor = T::factor(&root, len);
+        let mut power = unit_power(&phi, (-1, 1));
+        let mut out = vec![T::zero(); self.order()];
+        for k in m..m + len {
+            let scale = BigRational::new((-as_i64(k)).into(), m.into());
+            let c = power[k - m].scaled(as_i64(m), as_i64(k));
+            if !c.is_zero() {
+                let no_power =
+                    || SeriesError::NoPower { coefficient: format!("{lead:?}"), exponent: scale.to_string() };
+                out[k * stride] = c * lead.power(&scale).ok_or_else(no_power)?;
+            }
+            power = T::sum_of_products(&[(1, &T::factor(&power, len), &factor)], len);
+        }
+        Ok(Self::new(self.unit, out))
+    }
+
+    /// The largest step that divides `unit` and every index with a coefficient other than zero.
+    fn stride(&self) -> usize {
+        let indices = self.coefficients.iter().enumerate().filter(|(_, c)| !c.is_zero());
+        indices.fold(as_usize(self.unit), |stride, (k, _)| num_integer::gcd(stride, k))
+    }
+
+    fn same_unit(&self, other: &Self) -> Result<(), SeriesError> {
+        let differ = SeriesError::DifferentSteps { left: self.unit, right: other.unit };
+        (self.unit == other.unit).then_some(()).ok_or(differ)
+    }
+
+    fn map(&self, function: impl Fn(&T) -> T) -> Self {
+        Self::new(self.unit, self.coefficients.iter().map(function).collect())
+    }
+
+    fn shifted(unit: i64, coefficients: Vec<T>, shift: usize) -> Self {
+        let mut all = vec![T::zero(); shift];
+        all.extend(coefficients);
+        Self::new(unit, all)
+    }
+}
+
+/// Returns `f^(numerator/denominator)` for a series that begins with 1, to its own length, by Miller's
+/// formula `k g_k = sum_(i=1..k) (p i - (k-i)) f_i g_(k-i)`.
+pub(crate) fn unit_power<T: Field>(f: &[T], (numerator, denominator): (i64, i64)) -> Vec<T> {
+    let mut g: Vec<T> = Vec::with_capacity(f.len());
+    for k in 0..f.len() {
+        if k == 0 {
+            g.push(T::one());
+            continue;
+        }
+        let mut with_index = T::zero();
+        let mut plain = T::zero();
+        for i in 1..=k {
+            let term = f[i].times(&g[k - i]);
+            with_index = with_index + term.scaled(as_i64(i), 1);
+            plain = plain + term;
+        }
+        // The sum is (p + 1) sum i f_i g_(k-i) - k sum f_i g_(k-i).
+        g.push(with_index.scaled(numerator + denominator, denominator * as_i64(k)) - plain);
+    }
+    g
+}
+
+/// A rational exponent as a pair of small integers; `None` if it is not one.
+pub(crate) fn small_fraction(exponent: &BigRational) -> Option<(i64, i64)> {
+    let limit = 1i64 << 40;
+    let (n, d) = (exponent.numer().to_i64()?, exponent.denom().to_i64()?);
+    (n.abs() < limit && d < limit).then_some((n, d))
+}
+
+fn as_i64(index: usize) -> i64 {
+    i64::try_from(index).unwrap_or(i64::MAX)
+}
+
+fn as_usize(unit: i64) -> usize {
+    usize::try_from(unit).unwrap_or(1)
+}

@@ -1,0 +1,65 @@
+//! The coefficient of restitution from the maximal compression, by the inverse collision (A28)-(A32).
+
+use crate::turning_point::{power, reciprocal};
+use crate::{Field, FractionalSeries, SeriesError};
+use num_rational::BigRational;
+use num_traits::Zero;
+use restitution_law::ForceLaw;
+
+/// Returns `eps(u) = 1 + C_1 u + C_2 u^2 + ...` from the compression `Y(u)`, to the same order.
+///
+/// Time reversed, the second half of the collision is the first half of one with impact velocity `eps`
+/// and damping `w = -u eps^p`, and both reach the same compression (A28):
+///
+/// ```text
+/// eps^(2/(a+1)) Y(w) = Y(u),    w = -u eps^p,    p = (2 gamma - a + 1)/(a + 1)
+/// ```
+///
+/// Eliminating `eps` leaves one odd equation, `K(w) = -K(u)` with `K(u) = u (Y(u)/Y(0))^((2 gamma-a+1)/2)`
+/// (the damping in the units of the turning point, MATH section 5), hence
+///
+/// ```text
+/// w = K^(-1)(-K(u)),    eps = (Y(u)/Y(w))^((a+1)/2)
+/// ```
+///
+/// Formal: no truncation error enters. `y_k` of even order `k = N` cancels from `C_N`.
+///
+/// # Errors
+///
+/// [`SeriesError::ZeroConstantTerm`] if `Y(0)` may be zero.
+pub(crate) fn restitution<T: Field>(law: &ForceLaw, compression: &[T]) -> Result<Vec<T>, SeriesError> {
+    let half = |x: BigRational| x / BigRational::from_integer(2.into());
+    let elastic = law.elastic_step();
+    let len = compression.len();
+    let y = scaled_to_one(compression)?;
+    let exponent = half(law.velocity_exponent() * &elastic);
+    let image = if exponent.is_zero() { negated_identity(len) } else { image_damping(&y, &exponent)? };
+    let y = FractionalSeries::new(1, y);
+    let y_at_image = y.compose(&image)?;
+    let ratio = T::product(y.coefficients(), &reciprocal(y_at_image.coefficients())?, len);
+    power(&ratio, &half(elastic))
+}
+
+/// `w = K^(-1)(-K(u))` with `K = u y^exponent`.
+fn image_damping<T: Field>(y: &[T], exponent: &BigRational) -> Result<FractionalSeries<T>, SeriesError> {
+    let mut k = vec![T::zero()];
+    k.extend(power(y, exponent)?);
+    k.truncate(y.len());
+    let k = FractionalSeries::new(1, k);
+    k.reverse()?.compose(&k.scaled(-1, 1))
+}
+
+fn negated_identity<T: Field>(len: usize) -> FractionalSeries<T> {
+    let mut coefficients = vec![T::zero(); len];
+    if let Some(linear) = coefficients.get_mut(1) {
+        *linear = -T::one();
+    }
+    FractionalSeries::new(1, coefficients)
+}
+
+/// `Y/Y(0)`, which begins with exactly 1.
+fn scaled_to_one<T: Field>(compression: &[T]) -> Result<Vec<T>, SeriesError> {
+    let inverse = reciprocal(&compression[..1])?;
+    let rest = compression[1..].iter().map(|c| inverse[0].times(c));
+    Ok(std::iter::once(T::one()).chain(rest).collect())
+}
