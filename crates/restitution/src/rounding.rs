@@ -1,0 +1,84 @@
+//! The operations whose rounding the bounds count.
+
+/// Returns `a b + c`: rounded once where the target has the instruction and `std` is there, else twice.
+#[inline(always)]
+pub(crate) fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
+    #[cfg(all(feature = "std", target_feature = "fma"))]
+    {
+        a.mul_add(b, c)
+    }
+    #[cfg(not(all(feature = "std", target_feature = "fma")))]
+    {
+        a * b + c
+    }
+}
+
+/// Returns `(p, e)` with `a b = p + e` exactly, barring overflow and underflow.
+///
+/// Dekker's product (Muller et al., *Handbook of Floating-Point Arithmetic*, 2nd ed., alg. 4.10).
+#[inline]
+pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
+    let product = a * b;
+    if cfg!(all(feature = "std", target_feature = "fma")) {
+        return (product, multiply_add(a, b, -product));
+    }
+    let (a_high, a_low) = halves(a);
+    let (b_high, b_low) = halves(b);
+    (product, a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low))
+}
+
+/// Returns `a` as a sum of two numbers of at most 26 bits each (Veltkamp).
+#[inline(always)]
+fn halves(a: f64) -> (f64, f64) {
+    let scaled = a * 134_217_729.0; // 2^27 + 1
+    let high = scaled - (scaled - a);
+    (high, a - high)
+}
+
+/// Returns the square root of a number of `[0, 1]`, within 1 ulp where it is normal.
+#[inline(always)]
+pub(crate) fn square_root(x: f64) -> f64 {
+    #[cfg(feature = "std")]
+    {
+        x.sqrt()
+    }
+    #[cfg(not(feature = "std"))]
+    {
+        newton_square_root(x)
+    }
+}
+
+/// Newton's iteration from an estimate by halving the exponent; `core` has no square root.
+#[cfg(any(test, not(feature = "std")))]
+#[inline]
+fn newton_square_root(x: f64) -> f64 {
+    if x == 0.0 {
+        return x;
+    }
+    let mut root = f64::from_bits((x.to_bits() >> 1) + 0x1ff7_a3be_a91d_9b1b);
+    for _ in 0..4 {
+        root = 0.5 * (root + x / root);
+    }
+    root
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_product_is_split_exactly() {
+        let x = 1.0 + f64::EPSILON;
+        assert_eq!(two_product(x, x), (1.0 + 2.0 * f64::EPSILON, f64::EPSILON * f64::EPSILON));
+        assert_eq!(two_product(3.0, 5.0), (15.0, 0.0));
+    }
+
+    #[test]
+    fn the_square_root_of_core_is_within_an_ulp() {
+        for i in 0..4000 {
+            let x = f64::from(i) / 4000.0 * 0.97_f64.powi(i);
+            let (ours, exact) = (newton_square_root(x), x.sqrt());
+            assert!((ours - exact).abs() <= exact * f64::EPSILON, "{x:e}: {ours:e} {exact:e}");
+        }
+    }
+}

@@ -1,0 +1,3 @@
+//! Generated; see `restitution export`.
+pub(crate) mod zero_compression;
+pub(crate) mod zero_force;

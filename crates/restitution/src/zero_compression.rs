@@ -1,0 +1,98 @@
+//! The contact that ends at zero compression.
+
+use crate::fifth_root::Root;
+use crate::pieces::Grid;
+use crate::rounding::{multiply_add, two_product};
+use crate::tables::zero_compression::{NEAR, PIECES, R5};
+
+/// Pieces of 1/64 from 0 to 7.
+pub(crate) const GRID: Grid = Grid::new(8.0, 9, 0.0);
+/// Below, `1 - epsilon` has a polynomial of its own.
+pub(crate) const NEAR_END: f64 = 1.0 / 32.0;
+/// Above, `epsilon u^5` is `R^5` to 1e-18.
+pub(crate) const FAR: f64 = 7.0;
+/// What the rounded `R^5` lacks, relative to it.
+const R5_RESIDUAL: f64 = R5[1] / R5[0];
+
+#[inline(always)]
+pub(crate) fn epsilon(u: f64) -> f64 {
+    let (index, centre) = GRID.locate(u);
+    match PIECES.get(index) {
+        Some(piece) if u >= 0.0 => piece.value(u - centre),
+        _ => beyond(u, 0.0),
+    }
+}
+
+/// `epsilon` for `0 <= u < FAR` without a branch, for loops over slices.
+#[inline(always)]
+pub(crate) fn epsilon_within(u: f64) -> f64 {
+    let (index, centre) = GRID.locate(u);
+    PIECES[index.min(PIECES.len() - 1)].value(u - centre)
+}
+
+#[inline(always)]
+pub(crate) fn epsilon_of_root(root: Root) -> f64 {
+    let (index, centre) = GRID.locate(root.estimate());
+    match PIECES.get(index) {
+        Some(piece) => piece.value(root.distance(centre)),
+        None => far_root(root),
+    }
+}
+
+#[inline(always)]
+pub(crate) fn one_minus_epsilon(u: f64) -> f64 {
+    if u < NEAR_END {
+        return if u >= 0.0 { near(u) } else { f64::NAN };
+    }
+    let (index, centre) = GRID.locate(u);
+    match PIECES.get(index) {
+        Some(piece) => piece.one_minus(u - centre),
+        None => 1.0 - beyond(u, 0.0),
+    }
+}
+
+/// `1 - epsilon` on `[0, NEAR_END)`.
+#[inline(always)]
+pub(crate) fn near(u: f64) -> f64 {
+    let u2 = u * u;
+    let low = multiply_add(u2, multiply_add(u, NEAR[4], NEAR[3]), multiply_add(u, NEAR[2], NEAR[1]));
+    let high = multiply_add(u2, NEAR[7], multiply_add(u, NEAR[6], NEAR[5]));
+    u * multiply_add(u, multiply_add(u2 * u2, high, low), NEAR[0])
+}
+
+#[cold]
+fn far_root(root: Root) -> f64 {
+    let u = root.distance(0.0);
+    beyond(u, root.distance(u))
+}
+
+/// `epsilon(u + low)` for `u >= FAR`, and what is not a velocity.
+///
+/// ```text
+/// epsilon = R^5/u^5 (1 + O(1e-18))
+/// ```
+///
+/// The roundings of the powers are carried along; those of their sum and of the division remain.
+#[cold]
+fn beyond(u: f64, low: f64) -> f64 {
+    const LARGE: f64 = f64::from_bits((1023 + 150) << 52);
+    const SCALE: f64 = f64::from_bits((1023 - 100) << 52);
+    const SCALE_TO_5: f64 = f64::from_bits((1023 - 500) << 52);
+    const ALL_STOPPED: f64 = f64::from_bits((1023 + 216) << 52);
+    if u < LARGE {
+        return if u >= 0.0 { inverse_fifth_power(u, low) } else { f64::NAN };
+    }
+    if u >= ALL_STOPPED {
+        return 0.0;
+    }
+    inverse_fifth_power(u * SCALE, low * SCALE) * SCALE_TO_5 // NaN comes through here
+}
+
+#[inline]
+fn inverse_fifth_power(u: f64, low: f64) -> f64 {
+    let (u2, error2) = two_product(u, u);
+    let (u4, error4) = two_product(u2, u2);
+    let (u5, error5) = two_product(u4, u);
+    let error4 = error4 + 2.0 * u2 * error2 + 5.0 * (u4 / u) * low;
+    R5[0] / (u5 + (error5 + u * error4 - u5 * R5_RESIDUAL))
+}

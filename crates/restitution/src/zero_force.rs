@@ -1,0 +1,131 @@
+//! The contact that ends at zero force.
+
+use crate::fifth_root::Root;
+use crate::pieces::{Grid, polynomial};
+use crate::rounding::{multiply_add, square_root, two_product};
+use crate::tables::zero_force::{BEYOND, LIMIT, NEAR_HALVES, NEAR_WHOLES, PIECES};
+
+/// Below, `epsilon` is a polynomial in `u` and one in `u` times `u^(5/2)`.
+pub(crate) const NEAR_END: f64 = 1.0 / 16.0;
+/// Above, `epsilon u^(5/3)` is a function of `u^(-1/3)`.
+pub(crate) const FAR: f64 = 15.5;
+/// Pieces of 1/64 of a factor of two in `u + 1/2`, from [`NEAR_END`] to [`FAR`].
+pub(crate) const GRID: Grid = Grid::new(0.5, 6, NEAR_END);
+/// Pieces of 1/32 of a factor of two in `u^(-1/3) + 1/16`.
+const GRID_BEYOND: Grid = Grid::new(1.0 / 16.0, 5, 0.0);
+
+#[inline(always)]
+pub(crate) fn epsilon(u: f64) -> f64 {
+    if u < NEAR_END {
+        return if u >= 0.0 { 1.0 - near(u) } else { f64::NAN };
+    }
+    let (index, centre) = GRID.locate(u);
+    match PIECES.get(index) {
+        Some(piece) => piece.value(u - centre),
+        None => beyond(u, 0.0),
+    }
+}
+
+/// `epsilon` for `NEAR_END <= u < FAR` without a branch, for loops over slices.
+#[inline(always)]
+pub(crate) fn epsilon_within(u: f64) -> f64 {
+    let (index, centre) = GRID.locate(u);
+    PIECES[index.min(PIECES.len() - 1)].value(u - centre)
+}
+
+/// `epsilon` for `0 <= u < FAR` with a selection in place of a branch.
+#[inline(always)]
+pub(crate) fn epsilon_to_far(u: f64) -> f64 {
+    let (near, within) = (1.0 - near(u), epsilon_within(u));
+    if u < NEAR_END { near } else { within }
+}
+
+#[inline(always)]
+pub(crate) fn epsilon_of_root(root: Root) -> f64 {
+    let estimate = root.estimate();
+    if estimate < NEAR_END {
+        return 1.0 - near(root.distance(0.0));
+    }
+    let (index, centre) = GRID.locate(estimate);
+    match PIECES.get(index) {
+        Some(piece) => piece.value(root.distance(centre)),
+        None => far_root(root),
+    }
+}
+
+#[inline(always)]
+pub(crate) fn one_minus_epsilon(u: f64) -> f64 {
+    if u < NEAR_END {
+        return if u >= 0.0 { near(u) } else { f64::NAN };
+    }
+    let (index, centre) = GRID.locate(u);
+    match PIECES.get(index) {
+        Some(piece) => piece.one_minus(u - centre),
+        None => 1.0 - beyond(u, 0.0),
+    }
+}
+
+/// `1 - epsilon = u (a(u) + u^(3/2) b(u))` on `[0, NEAR_END)`.
+#[inline(always)]
+pub(crate) fn near(u: f64) -> f64 {
+    let (a, b) = (&NEAR_WHOLES, &NEAR_HALVES);
+    let u2 = u * u;
+    let u4 = u2 * u2;
+    let low = multiply_add(u2, multiply_add(u, a[4], a[3]), multiply_add(u, a[2], a[1]));
+    let high = multiply_add(u2, multiply_add(u, a[8], a[7]), multiply_add(u, a[6], a[5]));
+    let halves = multiply_add(u2, multiply_add(u, b[3], b[2]), multiply_add(u, b[1], b[0]));
+    let halves = multiply_add(u4, multiply_add(u, b[5], b[4]), halves);
+    u * multiply_add(u, multiply_add(square_root(u), halves, multiply_add(u4, high, low)), a[0])
+}
+
+#[cold]
+fn far_root(root: Root) -> f64 {
+    let u = root.distance(0.0);
+    beyond(u, root.distance(u))
+}
+
+/// `epsilon(u + low)` for `u >= FAR`, and what is not a velocity.
+///
+/// ```text
+/// epsilon = (3/2)^(2/3) u^(-5/3) (1 + s(u^(-1/3)))
+/// ```
+#[cold]
+fn beyond(u: f64, low: f64) -> f64 {
+    const LARGE: f64 = f64::from_bits((1023 + 300) << 52);
+    const SCALE: f64 = f64::from_bits((1023 - 300) << 52);
+    const SCALED_POWER: f64 = f64::from_bits((1023 - 500) << 52);
+    if u < LARGE {
+        return if u >= 0.0 { power_law(u, low) } else { f64::NAN };
+    }
+    if u.is_infinite() {
+        return 0.0;
+    }
+    power_law(u * SCALE, low * SCALE) * SCALED_POWER // s is 0 here; NaN comes through
+}
+
+/// The power law, with `u^(-1/3) = r (1 - d)^(-1/3)`, `d = 1 - u r^3`, and `r` of 17 bits so that its
+/// cube is exact; the roundings of `r^5 (3/2)^(2/3)` are carried along.
+fn power_law(u: f64, low: f64) -> f64 {
+    let r = short_inverse_cube_root(u);
+    let (r2, r3) = (r * r, r * r * r);
+    let (product, error) = two_product(u, r3);
+    let d = (1.0 - product) - error;
+    let (r5, r5_error) = two_product(r2, r3);
+    let (whole, error) = two_product(r5, LIMIT[0]);
+    let power = d * (5.0 / 3.0 + d * (20.0 / 9.0 + d * (220.0 / 81.0 + d * (770.0 / 243.0))));
+    let argument = r * (1.0 + d * (1.0 / 3.0 + d * (2.0 / 9.0 + d * (14.0 / 81.0))));
+    let (index, centre) = GRID_BEYOND.locate(argument);
+    let correction = polynomial(&BEYOND[index.min(BEYOND.len() - 1)], argument - centre);
+    let factor = power + correction + power * correction - low / u * (5.0 / 3.0);
+    whole + (whole * factor + (error + r5_error * LIMIT[0] + r5 * LIMIT[1]))
+}
+
+/// `u^(-1/3)` to 17 bits: from a third of the exponent, two steps of third order, and a cut.
+fn short_inverse_cube_root(u: f64) -> f64 {
+    let mut r = f64::from_bits(0x553e_f0ff_289d_d796 - u.to_bits() / 3);
+    for _ in 0..2 {
+        let d = 1.0 - u * r * r * r;
+        r += r * d * (1.0 / 3.0 + d * (2.0 / 9.0));
+    }
+    f64::from_bits(r.to_bits() & 0xffff_fff0_0000_0000)
+}
