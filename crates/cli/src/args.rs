@@ -13,7 +13,7 @@ pub enum EndOfContact {
     /// At zero compression, after a spell of attraction: the paper's definition.
     #[default]
     ZeroCompression,
-    /// Where the force vanishes on the way out (\[SP2008\]).
+    /// Where the force vanishes on the way out.
     ZeroForce,
 }
 

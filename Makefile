@@ -1,0 +1,47 @@
+# `make help` lists what there is.
+CARGO ?= cargo
+.DEFAULT_GOAL := help
+.PHONY: help table test test-tools tools fmt clippy doc bench bench-peers clean
+
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+table: tools ## build the command and print C_1..C_8 and a_1..a_8 to 20 digits
+	@echo "Building; GMP and MPFR come from source, the first time takes a few minutes."
+	@$(CARGO) build --release --locked --package restitution-cli
+	@$(CARGO) run --release --locked --quiet --package restitution-cli -- table
+
+test: tools test-tools fmt clippy doc ## check formats, lints, documentation; run every test
+	CI=true $(CARGO) test --workspace --locked --quiet
+
+fmt:
+	$(CARGO) fmt --all --check
+
+clippy: tools
+	$(CARGO) clippy --workspace --all-targets --locked --quiet -- -D warnings
+
+doc: tools
+	RUSTDOCFLAGS=-Dwarnings $(CARGO) doc --workspace --no-deps --locked --quiet
+
+bench: tools ## measure speed, ours beside what it is compared with
+	$(CARGO) bench --workspace --locked --quiet
+
+bench-peers: tools bench/.venv/ready ## measure the series engine against FLINT and PARI/GP in one run
+	$(CARGO) build --release --locked --quiet --package restitution-series --examples
+	bench/.venv/bin/python bench/peers/compare.py
+
+bench/.venv/ready: bench/peers/requirements.txt
+	@python3 -c 'import ensurepip' 2>/dev/null || sh scripts/need python-venv
+	python3 -m venv bench/.venv
+	bench/.venv/bin/pip install --quiet --requirement bench/peers/requirements.txt
+	@touch $@
+
+tools: # what a build needs: m4 is installed if it is missing, the rest is asked for
+	@sh scripts/need cargo cc make m4
+
+test-tools: tools # what the tests of exported sources need beyond a build; installed if missing
+	@sh scripts/need cargo-fmt cargo-clippy c++ gfortran numpy
+
+clean: ## remove what was built
+	$(CARGO) clean
+	rm -rf bench/.venv
