@@ -1,5 +1,7 @@
 //! Workspace tests, one binary.
 
+mod citations;
 mod pade_constructions;
 mod pade_contact;
 mod pade_series;
+mod support;

@@ -31,7 +31,7 @@ pub fn generator(seed: u64, cases: usize) -> TestRunner {
 
 #[test]
 fn a_generator_repeats_itself() {
-    use proptest::prelude::RngCore;
+    use proptest::prelude::Rng;
     let draw = |seed| generator(seed, cases(1)).rng().next_u64();
     assert_eq!(draw(1), draw(1));
     assert_ne!(draw(1), draw(2));
