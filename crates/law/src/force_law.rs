@@ -8,7 +8,7 @@ use std::str::FromStr;
 
 /// The exponents of the scaled equation of motion `x'' + u x^gamma x' + x^a = 0`.
 ///
-/// Section II of [RPBS1999] with `alpha = a` and `beta = 1`; colliding viscoelastic spheres are
+/// Section II of \[RPBS1999\] with `alpha = a` and `beta = 1`; colliding viscoelastic spheres are
 /// `a = 3/2`, `gamma = 1/2` (eq. 5). Exact: the exponents are rational numbers.
 ///
 /// # Examples

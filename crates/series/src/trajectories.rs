@@ -32,7 +32,7 @@ impl<T: Field> Units<T> {
 /// ```
 ///
 /// They solve `x'' + u x^gamma x' + x^a = 0`, `x(0) = 0`, `x'(0) = 1` order by order in `u`:
-/// ([RPBS1999] (A1)-(A14); for spheres `x_n = t^(1+3n/2) sum_j q_(n,j) t^(5j/2)`.)
+/// (\[RPBS1999\] (A1)-(A14); for spheres `x_n = t^(1+3n/2) sum_j q_(n,j) t^(5j/2)`.)
 ///
 /// Exact over the rationals, enclosing over balls. Cost: a few series products for each order, and
 /// one more for every lower order.
