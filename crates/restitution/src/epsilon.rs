@@ -24,7 +24,7 @@ use crate::{End, zero_compression, zero_force};
 /// use restitution::{End, epsilon};
 ///
 /// assert!((epsilon(1.0, End::ZeroCompression) - 0.331_164_810_466_640_94).abs() < 1e-16);
-/// assert!((epsilon(1.0, End::ZeroForce) - 0.393_930_603_022_073_2).abs() < 1e-16);
+/// assert!((epsilon(1.0, End::ZeroForce) - 0.393_930_603_229_873_2).abs() < 1e-16);
 /// assert_eq!(epsilon(0.0, End::ZeroForce), 1.0);
 /// assert!(epsilon(-1.0, End::ZeroCompression).is_nan());
 /// ```
