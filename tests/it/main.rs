@@ -1,5 +1,6 @@
 //! Workspace tests, one binary.
 
+mod bounds;
 mod citations;
 mod pade_constructions;
 mod pade_contact;

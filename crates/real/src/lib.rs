@@ -12,7 +12,9 @@ mod decimal;
 mod error;
 mod functions;
 pub mod kronecker;
+mod magnitude;
 
 pub use ball::Ball;
 pub use ball_vector::BallVector;
 pub use error::RealError;
+pub use magnitude::Magnitude;

@@ -1,0 +1,84 @@
+//! Which weights to try: nothing here is part of the proof, only of the quality of what is proved.
+
+use super::decay::Decay;
+use super::error::BoundError;
+use super::head::Head;
+use super::majorant::Majorant;
+use num_traits::ToPrimitive;
+use restitution_law::ForceLaw;
+
+/// Leading terms that are enclosed, tried in turn.
+const HEAD_TERMS: [usize; 4] = [40, 80, 160, 320];
+/// Radii that are tried, as exponents of the ratio at which the nearest singularity lies.
+const DEPTHS: [f64; 10] = [0.2, 0.4, 0.6, 0.7, 0.78, 0.84, 0.88, 0.92, 0.95, 0.97];
+/// Damping weights that are kept, as fractions of the largest that can be proved.
+const FRACTIONS: [f64; 5] = [0.98, 0.85, 0.7, 0.5, 0.25];
+/// A head is long enough when this depth is proved.
+const GOOD_DEPTH: f64 = 0.8;
+
+/// Finds rates of decay, from short heads to long ones until a rate is good.
+pub(super) fn rates(law: &ForceLaw, damping_order: usize) -> Result<(Head, Vec<Decay>), BoundError> {
+    let log_ratio = log_singular_ratio(law);
+    let mut best = None;
+    for elastic_terms in HEAD_TERMS {
+        let head = Head::new(law, damping_order, elastic_terms);
+        let (rates, depth) = rates_of_head(law, &head, damping_order, log_ratio);
+        if depth > 0.0 {
+            best = Some((head, rates));
+        }
+        if depth >= GOOD_DEPTH {
+            break;
+        }
+    }
+    best.ok_or_else(|| BoundError::TurningPointNotReached {
+        law: law.to_string(),
+        terms: HEAD_TERMS[HEAD_TERMS.len() - 1],
+    })
+}
+
+/// All rates a head proves, and the largest depth among those that cover every order.
+fn rates_of_head(law: &ForceLaw, head: &Head, damping_order: usize, log_ratio: f64) -> (Vec<Decay>, f64) {
+    let majorant = Majorant::new(law, head);
+    let (mut rates, mut deepest) = (Vec::new(), 0.0);
+    for depth in DEPTHS {
+        let ratio = (depth * log_ratio).exp();
+        let undamped = majorant.decay(ratio, 0.0);
+        if ratio <= 1.0 || undamped.is_none() {
+            continue;
+        }
+        rates.extend(undamped);
+        if damping_order == 0 {
+            deepest = depth;
+            continue;
+        }
+        if let Some(largest) = largest_damping(&majorant, ratio) {
+            deepest = depth;
+            rates.extend(FRACTIONS.iter().filter_map(|fraction| majorant.decay(ratio, fraction * largest)));
+        }
+    }
+    (rates, deepest)
+}
+
+/// About the largest damping weight that is proved at a ratio, within 3 %.
+fn largest_damping(majorant: &Majorant, ratio: f64) -> Option<f64> {
+    let proves = |weight: f64| majorant.decay(ratio, weight).is_some();
+    let mut low = (0..60).map(|k| 64.0 * 0.5f64.powi(k)).find(|&weight| proves(weight))?;
+    let mut high = 2.0 * low;
+    for _ in 0..5 {
+        let middle = (low + high) / 2.0;
+        if proves(middle) { low = middle } else { high = middle }
+    }
+    Some(low)
+}
+
+/// The logarithm of `(t/T)^(a+1)` at the singularity nearest to 0 (`docs/error-bounds.md`, proposition 2).
+///
+/// ```text
+/// t/T = min(2, 1/cos(pi/(a+1)))      where the cosine counts for a > 1
+/// ```
+fn log_singular_ratio(law: &ForceLaw) -> f64 {
+    let step = law.elastic_step().to_f64().unwrap_or(f64::MAX);
+    let cosine = (std::f64::consts::PI / step).cos();
+    let distance = if cosine > 0.5 { -cosine.ln() } else { 2f64.ln() };
+    step * distance
+}
