@@ -2,6 +2,7 @@
 
 mod bounds;
 mod citations;
+mod direct;
 mod pade_constructions;
 mod pade_contact;
 mod pade_series;

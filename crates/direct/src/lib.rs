@@ -1,1 +1,29 @@
 //! Certified direct integration of the equation of motion, for every velocity.
+//!
+//! [`Collision`] gives `epsilon(u)` for any damping `u >= 0`, any number of digits, both ends of contact
+//! and any force law with rational exponents, each digit proved. It is what every approximation of the
+//! project is judged by, and shares no formula with the expansion of the appendix. Method and proofs are
+//! in `docs/direct-integration.md`.
+
+mod collision;
+mod compression;
+mod coordinate;
+mod end;
+mod envelope;
+mod error;
+mod exit;
+mod field;
+mod fixed;
+mod overdamping;
+mod phase_arc;
+mod precision;
+mod saturation;
+mod stepper;
+mod turning;
+mod turning_arc;
+mod zero_force;
+
+pub use collision::Collision;
+pub use end::End;
+pub use error::DirectError;
+pub use saturation::{saturation_radius, saturation_speed};

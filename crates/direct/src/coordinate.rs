@@ -1,0 +1,73 @@
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive};
+use restitution_law::ForceLaw;
+
+/// Largest exponent for which the phase plane is expanded in a coordinate analytic at `x = 0`.
+const LARGEST_POWER: i64 = 12;
+
+/// The coordinate `z` of the phase plane, `x = z^q`.
+///
+/// ```text
+/// v dv/dz = -q (z^(A-1) + u z^(B-1) v),    A = q (a + 1),  B = q (gamma + 1)
+/// ```
+///
+/// Only `B/A = (gamma + 1)/(a + 1)` belongs to the law; `q` is free. In lowest terms `B/A` makes the
+/// right side a polynomial: `z = sqrt(x)`, `A = 5`, `B = 3` for spheres. Where these are large the
+/// choice is `B = 1` and `z = 0` is a branch point, which is then approached but not crossed.
+#[derive(Clone, Debug)]
+pub(crate) struct Coordinate {
+    pub(crate) q: BigRational,
+    pub(crate) elastic: BigRational,
+    pub(crate) damping: BigRational,
+}
+
+impl Coordinate {
+    pub(crate) fn of(law: &ForceLaw) -> Self {
+        let ratio = law.damping_step() / law.elastic_step();
+        let small = |n: &BigInt| n.to_i64().is_some_and(|n| n <= LARGEST_POWER);
+        let damping = if small(ratio.denom()) && small(ratio.numer()) {
+            BigRational::from_integer(ratio.numer().clone())
+        } else {
+            BigRational::one()
+        };
+        Self { q: &damping / law.damping_step(), elastic: &damping / ratio, damping }
+    }
+
+    /// Whether `v(z)` is analytic at `z = 0`.
+    pub(crate) fn crosses_zero(&self) -> bool {
+        self.elastic.is_integer()
+    }
+
+    /// `A - B = q (a - gamma)`: the zero-force curve is `z^(A-B) = -u v`.
+    pub(crate) fn force_power(&self) -> BigRational {
+        &self.elastic - &self.damping
+    }
+
+    /// Whether the zero-force curve leaves from the origin, `a > gamma`.
+    pub(crate) fn has_zero_force(&self) -> bool {
+        self.force_power().is_positive()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spheres_use_the_square_root() {
+        let c = Coordinate::of(&ForceLaw::viscoelastic_spheres());
+        assert_eq!(
+            (c.q.to_string(), c.elastic.to_string(), c.damping.to_string()),
+            ("2".into(), "5".into(), "3".into())
+        );
+        assert!(c.crosses_zero());
+    }
+
+    #[test]
+    fn awkward_exponents_keep_the_damping_regular() {
+        let c = Coordinate::of(&"1.001,0".parse().unwrap());
+        assert_eq!((c.elastic.to_string(), c.damping.to_string()), ("2001/1000".into(), "1".into()));
+        assert!(!c.crosses_zero());
+    }
+}

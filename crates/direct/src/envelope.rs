@@ -1,0 +1,81 @@
+//! A geometric bound of a polynomial's coefficients, which bounds the upper half of a product.
+
+use crate::fixed::power_of_two;
+use restitution_real::Ball;
+use rug::Integer;
+
+/// `|c_i| <= 2^(top - slope i)` for `1 <= i <= order`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Envelope {
+    /// Binary logarithm of the bound at `i = 0`.
+    pub(crate) top: f64,
+    /// Bits lost from one coefficient to the next.
+    pub(crate) slope: f64,
+}
+
+impl Envelope {
+    /// Returns the envelope of the given slope; `coefficients[0]` is left out.
+    pub(crate) fn with_slope(coefficients: &[Integer], bits: u32, slope: f64) -> Self {
+        let heights = coefficients.iter().enumerate().skip(1).filter(|(_, c)| !c.is_zero());
+        let top = heights
+            .map(|(i, c)| f64::from(c.significant_bits()) - f64::from(bits) + slope * i as f64)
+            .fold(-f64::from(bits) - 1.0, f64::max);
+        Self { top, slope }
+    }
+
+    /// Bits lost per degree on the whole way from 1 to the first degree left out.
+    pub(crate) fn decay_seen(&self, order: usize) -> f64 {
+        self.slope - self.top / (order + 1) as f64
+    }
+
+    /// Returns the envelope among a few slopes that bounds the square's upper half best.
+    pub(crate) fn tightest(coefficients: &[Integer], bits: u32) -> Self {
+        let order = coefficients.len() - 1;
+        let last = f64::from(bits) / order as f64;
+        let value = |e: &Self| 2.0 * e.top - e.slope * (order + 1) as f64;
+        (2..=12)
+            .map(|eighth| Self::with_slope(coefficients, bits, last * f64::from(eighth) / 8.0))
+            .min_by(|x, y| value(x).total_cmp(&value(y)))
+            .unwrap_or(Self { top: f64::INFINITY, slope: last })
+    }
+}
+
+/// A bound of `Sum_(k>order) Sum_(i+j=k, 1<=i,j<=order) |x_i y_j|`.
+///
+/// ```text
+/// Sum_(k>N) (2N - k + 1) 2^(X + Y - s k) <= N 2^(X + Y - s (N+1))/(1 - 2^-s)
+/// ```
+///
+/// Both envelopes must have the same slope `s > 0`.
+pub(crate) fn upper_half(x: Envelope, y: Envelope, order: usize) -> Ball {
+    let (s, n) = (x.slope.min(y.slope), order as f64);
+    // The doubles are off by far less than the whole bit added here.
+    let log = x.top + y.top - s * (n + 1.0) + n.log2() - (1.0 - (-s).exp2()).log2() + 1.0;
+    power_of_two(log.ceil().clamp(-1e9, 1e9) as i64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_bound_covers_a_geometric_square() {
+        let bits = 60;
+        let c: Vec<Integer> =
+            (0..20u32).map(|i| (Integer::from(1) << bits) / (Integer::from(3).pow(i))).collect();
+        let mut upper = Integer::new();
+        for i in 1..20usize {
+            for j in 1..20usize {
+                if i + j >= 20 {
+                    upper += Integer::from(&c[i] * &c[j]);
+                }
+            }
+        }
+        let e = Envelope::tightest(&c, bits);
+        let bound = upper_half(e, e, 19).to_f64();
+        let truth = upper.to_f64() * (-2.0 * f64::from(bits)).exp2();
+        assert!(truth <= bound && bound < 300.0 * truth, "{truth} {bound}");
+    }
+
+    use rug::ops::Pow;
+}

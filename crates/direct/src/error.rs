@@ -1,0 +1,62 @@
+use num_rational::BigRational;
+use restitution_law::ForceLaw;
+use restitution_real::RealError;
+
+/// Why a collision could not be integrated.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DirectError {
+    /// The damping is negative or not a finite number.
+    #[error("the damping u must be a number >= 0, not {u}")]
+    Damping {
+        /// The damping that was given, to a few digits.
+        u: String,
+    },
+    /// No step could be proved any more at this precision.
+    #[error(
+        "no step of the integration could be proved below a length of {length}: ask for other digits or a less extreme u"
+    )]
+    StepVanished {
+        /// The last length that was tried.
+        length: String,
+    },
+    /// The damping stops the rebound: the bodies approach zero compression without reaching it.
+    #[error(
+        "with u = {u} and the law {law} the bodies never separate, the restitution coefficient is 0: give a smaller u, or end the contact at zero force"
+    )]
+    Overdamped {
+        /// The force law.
+        law: Box<ForceLaw>,
+        /// The damping that was given, to a few digits.
+        u: String,
+    },
+    /// The force has no zero on the way out that this end of the contact could mean.
+    #[error(
+        "with the law {law} the force need not vanish on the way out: the end at zero force needs A > GAMMA"
+    )]
+    NoZeroForce {
+        /// The force law.
+        law: Box<ForceLaw>,
+    },
+    /// The exit speed does not saturate for this law.
+    #[error(
+        "the law {law} has no finite exit speed at high velocity: it needs A > GAMMA and 2 GAMMA > A - 1"
+    )]
+    NoSaturation {
+        /// The force law.
+        law: Box<ForceLaw>,
+    },
+    /// The exit speed saturates, but too slowly to be followed.
+    #[error(
+        "the exit speed of the law {law} saturates too slowly to be computed: choose a law whose velocity exponent is larger than {exponent}"
+    )]
+    SlowSaturation {
+        /// The force law.
+        law: Box<ForceLaw>,
+        /// The exponent `p` with which `u ~ g^p`.
+        exponent: Box<BigRational>,
+    },
+    /// The digits asked for were not reached.
+    #[error(transparent)]
+    Real(#[from] RealError),
+}

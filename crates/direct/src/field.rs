@@ -1,0 +1,47 @@
+use crate::coordinate::Coordinate;
+use num_rational::BigRational;
+use restitution_law::ForceLaw;
+use restitution_real::Ball;
+use rug::Float;
+
+/// One collision's right side at one working precision.
+#[derive(Clone, Debug)]
+pub(crate) struct Field {
+    pub(crate) law: ForceLaw,
+    pub(crate) coordinate: Coordinate,
+    /// The damping `u >= 0`.
+    pub(crate) u: Ball,
+    /// Working precision in bits.
+    pub(crate) prec: u32,
+    /// Degree of every Taylor polynomial.
+    pub(crate) order: usize,
+}
+
+impl Field {
+    pub(crate) fn new(law: &ForceLaw, u: &Ball, prec: u32) -> Self {
+        let coordinate = Coordinate::of(law);
+        let order = (prec / 9 * 4 + 10) as usize;
+        Self { law: law.clone(), coordinate, u: u.with_prec(prec), prec, order }
+    }
+
+    /// Bits a coefficient should lose from one degree to the next.
+    pub(crate) fn wanted_slope(&self) -> f64 {
+        f64::from(self.prec + 4) / self.order as f64
+    }
+
+    /// An exact rational at working precision.
+    pub(crate) fn rational(&self, value: &BigRational) -> Ball {
+        Ball::from_rational(value, self.prec)
+    }
+
+    /// The potential energy `y = z^A/(a + 1)`.
+    pub(crate) fn potential(&self, z: &Float) -> Ball {
+        let z = Ball::exact(z.clone()).with_prec(self.prec);
+        z.pow(&self.coordinate.elastic) / self.rational(&self.law.elastic_step())
+    }
+
+    /// The zero-force balance `z^(A-B) - u w` at speed `w`: positive before the zero of the force.
+    pub(crate) fn balance(&self, z: &Ball, speed: &Ball) -> Ball {
+        z.pow(&self.coordinate.force_power()) - &self.u * speed
+    }
+}

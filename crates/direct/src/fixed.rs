@@ -1,0 +1,113 @@
+//! Fixed-point numbers: integers in units of `2^-bits`, every rounding counted.
+//!
+//! The coefficients of one Taylor step all live at one absolute precision, so products of integers
+//! with a counted error serve better than balls with a radius each.
+
+use restitution_real::Ball;
+use rug::float::Round;
+use rug::{Float, Integer};
+
+/// Bits of an upper bound.
+pub(crate) const BOUND_BITS: u32 = 64;
+
+/// Rounds a ball to a multiple of `2^-bits` and adds the largest possible difference to `error`.
+///
+/// An infinite ball makes `error` infinite.
+pub(crate) fn to_fixed(ball: &Ball, bits: u32, error: &mut Ball) -> Integer {
+    let shifted = shifted(ball.mid(), i64::from(bits));
+    match shifted.to_integer_round(Round::Nearest) {
+        Some((value, direction)) if ball.is_finite() => {
+            if !ball.is_exact() {
+                *error += Ball::exact(ball.rad().clone());
+            }
+            if direction.is_ne() {
+                *error += unit(bits);
+            }
+            value
+        }
+        _ => {
+            *error = Ball::whole_line(BOUND_BITS);
+            Integer::new()
+        }
+    }
+}
+
+/// The number `value * 2^-bits`, rounded to `prec` bits.
+pub(crate) fn from_fixed(value: &Integer, bits: u32, prec: u32) -> Ball {
+    Ball::from_big_integer(value, prec).shifted(-to_i32(i64::from(bits)))
+}
+
+/// The unit `2^-bits`, exactly.
+pub(crate) fn unit(bits: u32) -> Ball {
+    power_of_two(-i64::from(bits))
+}
+
+/// `2^exponent`, exactly.
+pub(crate) fn power_of_two(exponent: i64) -> Ball {
+    Ball::exact(shifted(&Float::with_val(BOUND_BITS, 1), exponent))
+}
+
+/// An upper bound of a ball as an exact number of few bits.
+pub(crate) fn upper_bound(ball: &Ball) -> Ball {
+    if !ball.is_finite() {
+        return Ball::whole_line(BOUND_BITS);
+    }
+    Ball::exact(Float::with_val_round(BOUND_BITS, ball.upper(), Round::Up).0)
+}
+
+/// A lower bound of a ball as an exact number of few bits.
+pub(crate) fn lower_bound(ball: &Ball) -> Ball {
+    if !ball.is_finite() {
+        return Ball::whole_line(BOUND_BITS);
+    }
+    Ball::exact(Float::with_val_round(BOUND_BITS, ball.lower(), Round::Down).0)
+}
+
+/// The sum of `|c_k| 2^-bits` over a slice, rounded up.
+pub(crate) fn size(coefficients: &[Integer], bits: u32) -> Ball {
+    let mut sum = Integer::new();
+    for c in coefficients {
+        sum += &*c.as_abs();
+    }
+    upper_bound(&from_fixed(&sum, bits, BOUND_BITS))
+}
+
+/// The sum `Sum_(i=1)^(k-1) x_i y_(k-i)` of exact products.
+pub(crate) fn inner_products(x: &[Integer], y: &[Integer], k: usize) -> Integer {
+    let mut sum = Integer::new();
+    for (a, b) in x[1..k].iter().zip(y[1..k].iter().rev()) {
+        sum += a * b;
+    }
+    sum
+}
+
+/// `x * 2^shift` for any shift that MPFR's exponents can take.
+pub(crate) fn shifted(x: &Float, shift: i64) -> Float {
+    let mut out = x.clone();
+    out <<= to_i32(shift);
+    out
+}
+
+fn to_i32(n: i64) -> i32 {
+    i32::try_from(n).unwrap_or(if n < 0 { i32::MIN } else { i32::MAX })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounding_to_a_unit_is_counted() {
+        let mut error = Ball::exact(Float::new(BOUND_BITS));
+        let third = to_fixed(&Ball::from_ratio(1, 3, 100), 4, &mut error);
+        assert_eq!(third, 5);
+        assert!(error.upper() >= 1.0 / 3.0 - 5.0 / 16.0);
+        assert!(from_fixed(&third, 4, 64).contains(&Ball::from_ratio(5, 16, 64)));
+    }
+
+    #[test]
+    fn products_leave_out_both_ends() {
+        let x: Vec<Integer> = [7, 1, 2, 3].map(Integer::from).to_vec();
+        assert_eq!(inner_products(&x, &x, 3), 4);
+    }
+}

@@ -1,0 +1,66 @@
+use crate::error::DirectError;
+use rug::Float;
+
+/// Attempts that one collision may take before it is given up.
+const ATTEMPTS: u32 = 200_000;
+/// Halvings of one step before it is given up.
+const HALVINGS: u32 = 200;
+
+/// Chooses the lengths of the steps: a proof that fails is tried again with a shorter one.
+///
+/// The choice has no part in any proof. A Taylor coefficient scales like `length^k`, so a step that
+/// lost `slope` bits a degree where `wanted` are enough could have been `2^(slope - wanted)` times as
+/// long.
+pub(crate) struct Stepper {
+    length: f64,
+    wanted: f64,
+    attempts: u32,
+}
+
+impl Stepper {
+    pub(crate) fn new(wanted: f64) -> Self {
+        Self { length: 0.0, wanted, attempts: 0 }
+    }
+
+    /// Sets the length to try first on a new stretch.
+    pub(crate) fn start_with(&mut self, length: f64) {
+        self.length = length;
+    }
+
+    /// The error of a motion that cannot be followed any further.
+    pub(crate) fn vanished(&self) -> DirectError {
+        DirectError::StepVanished { length: format!("{:.1e}", self.length) }
+    }
+
+    /// Takes one step: `attempt` gets a length, not above `limit`, and returns what was reached with the slope seen.
+    pub(crate) fn step<T>(
+        &mut self,
+        limit: f64,
+        mut attempt: impl FnMut(f64) -> Option<(T, f64)>,
+    ) -> Result<T, DirectError> {
+        for _ in 0..HALVINGS {
+            self.attempts += 1;
+            if self.attempts > ATTEMPTS {
+                break;
+            }
+            let length = self.length.min(limit);
+            if let Some((reached, slope)) = attempt(length) {
+                let factor = (0.9 * (slope - self.wanted).exp2()).clamp(0.3, 3.0);
+                self.length = length * factor;
+                return Ok(reached);
+            }
+            self.length = length * 0.6;
+        }
+        Err(self.vanished())
+    }
+}
+
+/// Rounds `x` to a multiple of `2^-40` of the power of two next to `length`.
+pub(crate) fn rounded_to_step(x: &Float, length: f64) -> Float {
+    let exponent = Float::with_val(53, length).get_exp().unwrap_or(0) - 40;
+    let mut scaled = Float::with_val(x.prec(), x);
+    scaled >>= exponent;
+    scaled.round_mut();
+    scaled <<= exponent;
+    scaled
+}

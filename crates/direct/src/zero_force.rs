@@ -1,0 +1,84 @@
+//! The zero of the force on the way out, where contact ends under delayed recovery.
+
+use crate::field::Field;
+use crate::fixed::{BOUND_BITS, lower_bound, upper_bound};
+use crate::phase_arc::PhaseArc;
+use num_rational::BigRational;
+use num_traits::One;
+use restitution_real::Ball;
+use rug::Float;
+
+/// Halvings and Newton steps that the search may take; a tiny damping needs many.
+const ITERATIONS: u32 = 4096;
+/// Bits that say how close, relative to the place, the zero must be known.
+const NEAR: i32 = 20;
+
+/// The speed where the force vanishes, if that happens on this arc.
+///
+/// On the way out the speed is largest there, so an error of the place matters only by its square
+/// (docs/direct-integration.md, Prop. 5).
+pub(crate) fn zero_of_force(field: &Field, arc: &PhaseArc) -> Option<Ball> {
+    let end = Ball::exact(arc.end.clone()).with_prec(field.prec);
+    if !field.balance(&end, &arc.reached.velocity().abs()).is_negative() {
+        return None;
+    }
+    let start = Ball::exact(arc.start.clone()).with_prec(field.prec);
+    let (z, speed) = newton(field, arc, &start, &end);
+    let off = field.balance(&z, &speed).abs();
+    // The zero lies within 2 |balance|/((A-B) z^(A-B-1)); the balance there stays within its size.
+    let c = &field.coordinate;
+    let low = |x: &Ball| lower_bound(&x.with_prec(BOUND_BITS));
+    let power = c.force_power();
+    let rise = |z: &Ball| field.rational(&power) * z.pow(&(&power - BigRational::one()));
+    let room = z.with_prec(BOUND_BITS).widened(&upper_bound(&z.shifted(-NEAR)).upper());
+    let least_rise = low(&rise(&room)).shifted(-1);
+    let width = upper_bound(&(upper_bound(&off) / &least_rise));
+    let pull = upper_bound(
+        &(field.rational(&c.q) * room.pow(&(&c.damping - BigRational::one())) / &speed).shifted(1),
+    );
+    let bent = upper_bound(&(&pull * upper_bound(&off) * upper_bound(&field.u.abs())));
+    let inside = (z.shifted(-NEAR).with_prec(BOUND_BITS) - &width).is_positive()
+        && !(bent - &least_rise).is_positive();
+    if !inside {
+        return Some(Ball::whole_line(field.prec));
+    }
+    let excess = upper_bound(&(pull * upper_bound(&off) * width));
+    Some(speed.widened(&excess.upper()))
+}
+
+/// Newton's iteration for the zero of the balance on an arc, kept between its ends.
+fn newton(field: &Field, arc: &PhaseArc, start: &Ball, end: &Ball) -> (Ball, Ball) {
+    let c = &field.coordinate;
+    let span = end - start;
+    let (mut low, mut high) = (Float::new(field.prec), Float::with_val(field.prec, 1));
+    let mut theta = Float::with_val(field.prec, 0.5);
+    let mut best = (start.clone(), Ball::whole_line(field.prec));
+    for _ in 0..ITERATIONS {
+        let part = Ball::exact(theta.clone());
+        let z = start + &span * &part;
+        let speed = arc.velocity(&part).abs();
+        let balance = field.balance(&z, &speed);
+        best = (z.clone(), speed.clone());
+        if balance.contains_zero() {
+            break;
+        }
+        if balance.is_positive() {
+            low.clone_from(&theta)
+        } else {
+            high.clone_from(&theta)
+        }
+        let power = c.force_power();
+        let one = BigRational::one();
+        let slope = field.rational(&power) * z.pow(&(&power - &one))
+            + &field.u * field.rational(&c.q) * z.pow(&(&c.damping - &one)) * &balance / &speed;
+        let step = balance / (slope * &span);
+        let next = Float::with_val(field.prec, &theta - step.mid());
+        let bracketed = step.is_finite() && next > low && next < high;
+        let next = if bracketed { next } else { Float::with_val(field.prec, &low + &high) / 2u32 };
+        if next == theta {
+            break;
+        }
+        theta = next;
+    }
+    best
+}
