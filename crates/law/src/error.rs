@@ -24,6 +24,12 @@ pub enum LawError {
         /// The exponents that were given, as A,GAMMA.
         law: String,
     },
+    /// The exponent of the rate must be positive: without motion there is no dissipation.
+    #[error("the exponent of the rate must be positive, not {beta}: give beta > 0, such as 1")]
+    RateExponent {
+        /// The exponent that was given.
+        beta: BigRational,
+    },
     /// The text is not a pair of exponents.
     #[error("'{text}' is not a force law: write it as A,GAMMA with fractions or decimals, such as 3/2,1/2")]
     NotALaw {

@@ -1,5 +1,6 @@
 //! Exact power series of the damped collision and the expansion coefficients they give.
 
+mod approximate;
 mod bounds;
 mod coefficients;
 mod damped;
@@ -17,6 +18,7 @@ mod turning_point;
 mod turning_time;
 mod undamped;
 
+pub use approximate::ApproximateTheory;
 pub use bounds::{BoundError, TailBound, TurningPointSum};
 pub use coefficients::{Quantity, coefficients, coefficients_watched};
 pub use error::SeriesError;
