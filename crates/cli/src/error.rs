@@ -2,6 +2,7 @@
 
 use restitution_law::LawError;
 use restitution_real::RealError;
+use restitution_series::SeriesError;
 use std::fmt::Display;
 use std::process::ExitCode;
 
@@ -60,6 +61,12 @@ impl From<RealError> for CliError {
             RealError::NotANumber { .. } => Self::usage(error),
             _ => Self::failure(error),
         }
+    }
+}
+
+impl From<SeriesError> for CliError {
+    fn from(error: SeriesError) -> Self {
+        Self::failure(error)
     }
 }
 

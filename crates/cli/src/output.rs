@@ -29,8 +29,9 @@ pub struct OutputArgs {
     /// The form of the table
     #[arg(long, value_enum, default_value_t, hide_default_value = true, value_name = "FORMAT")]
     pub format: Format,
+    /// The argument `-o`.
     #[command(flatten)]
-    target: TargetArgs,
+    pub target: TargetArgs,
 }
 
 /// The argument `-o` alone, for subcommands whose output is not a table.

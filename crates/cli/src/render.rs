@@ -17,14 +17,15 @@ impl Table {
     }
 
     fn text(&self) -> String {
-        let widths = self.widths(Cell::plain);
-        let mut out = self.title.iter().map(|title| format!("{title}\n\n")).collect::<String>();
-        out += &self.aligned(&self.columns, &widths);
-        for row in &self.rows {
-            out += &self.aligned(&row.iter().map(Cell::plain).collect::<Vec<_>>(), &widths);
+        let cells = self.rows.iter().map(|row| row.iter().map(Cell::plain).collect::<Vec<_>>());
+        let mut lines = std::iter::once(self.columns.clone()).chain(cells).collect::<Vec<_>>();
+        for column in 0..self.columns.len() {
+            align(&mut lines, column, self.is_numeric(column));
         }
+        let lines = lines.iter().map(|line| format!("{}\n", line.join("  ").trim_end())).collect::<String>();
+        let title = self.title.iter().map(|title| format!("{title}\n\n")).collect::<String>();
         let gap = if self.notes.is_empty() { "" } else { "\n" };
-        out + gap + &self.notes.iter().map(|note| format!("{note}\n")).collect::<String>()
+        title + &lines + gap + &self.notes.iter().map(|note| format!("{note}\n")).collect::<String>()
     }
 
     fn csv(&self) -> String {
@@ -77,23 +78,23 @@ impl Table {
     fn is_numeric(&self, column: usize) -> bool {
         self.rows.iter().all(|row| !matches!(row[column], Cell::Text(_)))
     }
+}
 
-    fn widths(&self, show: impl Fn(&Cell) -> String) -> Vec<usize> {
-        let width = |i: usize, name: &String| {
-            let cells = self.rows.iter().map(|row| show(&row[i]).chars().count());
-            cells.chain([name.chars().count()]).max().unwrap_or(0)
-        };
-        self.columns.iter().enumerate().map(|(i, name)| width(i, name)).collect()
+/// Pads a column to one width: texts on the left, numbers with their decimal points in line.
+fn align(lines: &mut [Vec<String>], column: usize, numeric: bool) {
+    let length = |text: &str| text.chars().count();
+    let behind = |text: &str| text.find(['.', 'e', '/']).map_or(0, |point| length(&text[point..]));
+    if numeric {
+        let longest = lines[1..].iter().map(|line| behind(&line[column])).max().unwrap_or(0);
+        for line in &mut lines[1..] {
+            let missing = longest - behind(&line[column]);
+            line[column].extend(std::iter::repeat_n(' ', missing));
+        }
     }
-
-    /// Returns one line: numbers on the right, texts on the left of their columns.
-    fn aligned(&self, cells: &[String], widths: &[usize]) -> String {
-        let pad = |(i, (cell, width)): (usize, (&String, &usize))| match self.is_numeric(i) {
-            true => format!("{cell:>width$}"),
-            false => format!("{cell:<width$}"),
-        };
-        let line = cells.iter().zip(widths).enumerate().map(pad).collect::<Vec<_>>().join("  ");
-        format!("{}\n", line.trim_end())
+    let width = lines.iter().map(|line| length(&line[column])).max().unwrap_or(0);
+    for line in lines {
+        let cell = &mut line[column];
+        *cell = if numeric { format!("{cell:>width$}") } else { format!("{cell:<width$}") };
     }
 }
 

@@ -14,6 +14,8 @@
 //! 4. Tests in `crates/cli/tests/`, with one wrong input of each kind, and a line in the README.
 
 pub mod completions;
+pub mod table;
+pub mod trajectory;
 
 use crate::CliError;
 use clap::error::ErrorKind;
@@ -31,6 +33,10 @@ pub struct Cli {
 /// What can be asked for.
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    /// Print the coefficients of the expansions in u, with proved digits
+    Table(table::TableArgs),
+    /// Print the trajectory as exact power series in time
+    Trajectory(trajectory::TrajectoryArgs),
     /// Write the completions of a shell, or the manual page
     Completions(completions::CompletionsArgs),
 }
@@ -53,6 +59,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliError
 impl Command {
     fn run(&self) -> Result<(), CliError> {
         match self {
+            Self::Table(args) => args.run(),
+            Self::Trajectory(args) => args.run(),
             Self::Completions(args) => args.run(),
         }
     }
