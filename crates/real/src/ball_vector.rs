@@ -30,7 +30,7 @@ pub struct BallVector {
     image: Option<Image>,
 }
 
-/// The integers of a vector at one slope and precision, with scaled bounds of sizes and errors.
+/// The integers of a vector at one slope and precision, with bounds of their sizes and errors.
 #[derive(Clone, Debug)]
 struct Image {
     packed: Integer,
@@ -45,7 +45,7 @@ impl BallVector {
     /// Prepares the first `len` of the given coefficients for products.
     pub fn new(balls: &[Ball], len: usize) -> Self {
         let balls = balls[..balls.len().min(len)].to_vec();
-        let image = Image::new(&balls, decay(&balls), precision(&balls));
+        let image = Image::new(&balls, decay(balls.iter().map(|b| &b.mid)), precision(&balls));
         let zeros = balls.iter().position(|b| !b.is_zero()).unwrap_or(usize::MAX / 2);
         Self { balls, zeros, image }
     }
@@ -61,11 +61,13 @@ impl BallVector {
         let Some(slope) = slopes.reduce(|x, y| Some(flatter(x?, y?))).unwrap_or(Some(0)) else {
             return vec![Ball::whole_line(bits); len];
         };
+        let spreads = vectors().filter_map(|v| v.image.as_ref().map(|image| image.sizes.slope));
+        let spread = spreads.reduce(flatter).unwrap_or(0);
         let product = |(weight, a, b): &&(i64, &Self, &Self)| {
-            Some(Image::product(*weight, &*a.image_at(slope, bits)?, &*b.image_at(slope, bits)?, len))
+            Some(Image::product(*weight, &*a.image_at(slope, bits)?, &*b.image_at(slope, bits)?, spread, len))
         };
         let sum = match terms.iter().map(product).collect::<Option<Vec<Product>>>() {
-            Some(products) => Product::sum(products, bits, len),
+            Some(products) => Product::sum(products, spread, slope, bits, len),
             None => return vec![Ball::whole_line(bits); len],
         };
         let exact = |(m, c)| if m < zeros { Ball::zero() } else { c };
@@ -85,7 +87,7 @@ impl BallVector {
     }
 }
 
-/// The scaled coefficients of a product: `integers[m] 2^exponent` up to `errors`.
+/// The coefficients of a product: `integers[m] 2^(exponent - slope m)` up to `errors`.
 struct Product {
     integers: Vec<Integer>,
     exponent: i64,
@@ -94,11 +96,12 @@ struct Product {
 
 impl Product {
     /// Adds products up, on the finest exponent that does not exceed the precision twice over.
-    fn sum(products: Vec<Self>, bits: u32, len: usize) -> Self {
+    fn sum(products: Vec<Self>, spread: i64, slope: i64, bits: u32, len: usize) -> Self {
         let exponents = || products.iter().map(|p| p.exponent);
         let (finest, coarsest) = (exponents().min().unwrap_or(0), exponents().max().unwrap_or(0));
         let exponent = finest.max(coarsest - 2 * i64::from(bits) - 64);
-        let mut sum = Self { integers: vec![Integer::new(); len], exponent, errors: Magnitudes::zero(len) };
+        let mut sum =
+            Self { integers: vec![Integer::new(); len], exponent, errors: Magnitudes::zero(len, spread) };
         for product in products {
             let shift = product.exponent - exponent;
             for (total, integer) in sum.integers.iter_mut().zip(product.integers) {
@@ -106,7 +109,9 @@ impl Product {
             }
             sum.errors.add(&product.errors);
             if shift < 0 {
-                sum.errors.add(&Magnitudes { values: vec![1.0; len], exponent });
+                let units: Vec<Float> =
+                    (0..len).map(|m| power_of_two(exponent - slope * as_i64(m))).collect();
+                sum.errors.add(&Magnitudes::new(&units, spread));
             }
         }
         sum
@@ -116,11 +121,8 @@ impl Product {
         let Self { integers, exponent, errors } = self;
         integers.into_iter().enumerate().map(move |(m, integer)| {
             let mut ball = Ball::rounded(bits, &integer);
-            let unit = -slope * as_i64(m);
-            ball.shift(exponent);
-            ball.widen(&errors.get(m));
-            ball.shift(unit);
-            ball
+            ball.shift(exponent - slope * as_i64(m));
+            ball.widened(&errors.get(m))
         })
     }
 }
@@ -144,52 +146,75 @@ impl Image {
             integers.push(integer);
         }
         let packed = kronecker::pack(integers.iter(), slot(bits));
-        let scaled = |(i, x): (usize, Float)| shifted(&x, slope * as_i64(i));
-        let sizes = Magnitudes::new(balls.iter().map(Ball::abs_up).enumerate().map(scaled));
-        let errors = Magnitudes::new(errors.into_iter().enumerate().map(scaled));
+        let sizes: Vec<Float> = balls.iter().map(Ball::abs_up).collect();
+        let spread = match errors.iter().all(Float::is_zero) {
+            true => decay(sizes.iter()),
+            false => flatter(decay(sizes.iter()), decay(errors.iter())),
+        };
+        let (sizes, errors) = (Magnitudes::new(&sizes, spread), Magnitudes::new(&errors, spread));
         Some(Self { packed, slope, bits, exponent, sizes, errors })
     }
 
     /// Multiplies two images of the same slope and precision.
-    fn product(weight: i64, a: &Self, b: &Self, len: usize) -> Product {
+    fn product(weight: i64, a: &Self, b: &Self, spread: i64, len: usize) -> Product {
         let mut integers = kronecker::unpack(&Integer::from(&a.packed * &b.packed), slot(a.bits), len);
         if weight != 1 {
             integers.iter_mut().for_each(|c| *c *= weight);
         }
         // |A B - a b| <= |A| r_b + r_a |b|, with |A| <= sizes.
-        let mut errors = a.sizes.convolution(&b.errors, len);
-        errors.add(&a.errors.convolution(&b.sizes, len));
+        let at = |part| Magnitudes::at_slope(part, spread);
+        let mut errors = at(&a.sizes).convolution(&at(&b.errors), len);
+        errors.add(&at(&a.errors).convolution(&at(&b.sizes), len));
         errors.scale(weight.unsigned_abs());
         Product { integers, exponent: a.exponent + b.exponent, errors }
     }
 }
 
-/// Upper bounds `values[i] 2^exponent` of nonnegative numbers.
+/// Upper bounds `values[i] 2^(exponent - slope i)` of nonnegative numbers.
+///
+/// The slope is the flattest at hand, so that a value raised to the least one is small beside another.
 #[derive(Clone, Debug)]
 struct Magnitudes {
     values: Vec<f64>,
     exponent: i64,
+    slope: i64,
 }
 
 impl Magnitudes {
     /// The smallest value that is told from zero; products of two still are normal numbers.
     const LEAST: f64 = f64::from_bits((1023 - 500) << 52);
 
-    fn new(bounds: impl Iterator<Item = Float>) -> Self {
-        let bounds: Vec<Float> = bounds.collect();
-        let exponent = bounds.iter().filter_map(Float::get_exp).max().map_or(0, i64::from);
+    fn new(bounds: &[Float], slope: i64) -> Self {
+        let scaled: Vec<Float> =
+            bounds.iter().enumerate().map(|(i, x)| shifted(x, slope * as_i64(i))).collect();
+        let exponent = scaled.iter().filter_map(Float::get_exp).max().map_or(0, i64::from);
         let value = |x: &Float| {
             if x.is_zero() { 0.0 } else { shifted(x, -exponent).to_f64_round(Round::Up).max(Self::LEAST) }
         };
-        Self { values: bounds.iter().map(value).collect(), exponent }
+        Self { values: scaled.iter().map(value).collect(), exponent, slope }
     }
 
-    fn zero(len: usize) -> Self {
-        Self { values: vec![0.0; len], exponent: i64::MIN / 2 }
+    fn zero(len: usize, slope: i64) -> Self {
+        Self { values: vec![0.0; len], exponent: 0, slope }
+    }
+
+    /// The same bounds at another slope.
+    fn at_slope(&self, slope: i64) -> Cow<'_, Self> {
+        if slope == self.slope {
+            return Cow::Borrowed(self);
+        }
+        let bounds: Vec<Float> = (0..self.values.len()).map(|i| self.get(i)).collect();
+        Cow::Owned(Self::new(&bounds, slope))
     }
 
     /// Adds other bounds; what is too small for the larger exponent counts as the least value.
     fn add(&mut self, other: &Self) {
+        if other.values.iter().all(|&y| y == 0.0) {
+            return;
+        }
+        if self.values.iter().all(|&x| x == 0.0) {
+            self.exponent = other.exponent;
+        }
         let exponent = self.exponent.max(other.exponent);
         let factor =
             |from: i64| if exponent - from > 1000 { 0.0 } else { 2f64.powi((from - exponent) as i32) };
@@ -220,12 +245,15 @@ impl Magnitudes {
             }
         }
         values.iter_mut().for_each(|v| *v *= 1.0 + 1e-6);
-        Self { values, exponent: self.exponent + other.exponent }
+        Self { values, exponent: self.exponent + other.exponent, slope: self.slope }
     }
 
     fn get(&self, index: usize) -> Float {
         let value = self.values.get(index).copied().unwrap_or(0.0);
-        shifted(&Float::with_val_round(RADIUS_BITS, value, Round::Up).0, self.exponent)
+        shifted(
+            &Float::with_val_round(RADIUS_BITS, value, Round::Up).0,
+            self.exponent - self.slope * as_i64(index),
+        )
     }
 }
 
@@ -255,11 +283,11 @@ fn precision(balls: &[Ball]) -> u32 {
     balls.iter().map(Ball::prec).max().unwrap_or(64)
 }
 
-/// The slope at which no midpoint, once scaled, exceeds the largest: the whole number of bits per index
+/// The slope at which no number, once scaled, exceeds the largest: the whole number of bits per index
 /// by which all fall off from it to the right; or, negative, to the left if there are more on that side.
-fn decay(balls: &[Ball]) -> i64 {
-    let size = |(i, b): (usize, &Ball)| b.mid.get_exp().map(|e| (as_i64(i), i64::from(e)));
-    let sizes: Vec<_> = balls.iter().enumerate().filter_map(size).collect();
+fn decay<'a>(numbers: impl Iterator<Item = &'a Float>) -> i64 {
+    let size = |(i, x): (usize, &Float)| x.get_exp().map(|e| (as_i64(i), i64::from(e)));
+    let sizes: Vec<_> = numbers.enumerate().filter_map(size).collect();
     let Some(&(top, high)) = sizes.iter().max_by_key(|(i, e)| (*e, -i)) else { return 0 };
     let right = sizes.iter().filter(|(i, _)| *i > top).map(|(i, e)| (high - e) / (i - top));
     let left = sizes.iter().filter(|(i, _)| *i < top).map(|(i, e)| (high - e) / (top - i));

@@ -70,6 +70,7 @@ pub fn coefficients_watched(
         let values = attempt(quantity, law, order, bits, watch)?;
         let missing = values.iter().filter(|v| v.to_digits(digits).is_none());
         let Some(missing) = missing.map(|v| shortfall(v, wanted)).max() else { return Ok(values) };
+        eprintln!("bits {bits} missing {missing}");
         spare += missing + spare / 8 + 16;
     }
 }
