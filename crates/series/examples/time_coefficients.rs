@@ -1,17 +1,22 @@
-//! How long does it take to find C_1 .. C_K to D digits? Usage: time_coefficients K D
+//! How long do proved coefficients take? usage: time_coefficients K D
+//!
+//! Prints the seconds for `C_1 .. C_K` to `D` digits, then `k,value,radius`.
 
 use restitution_law::ForceLaw;
 use restitution_series::{Quantity, coefficients};
-use std::time::Instant;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let mut arguments = std::env::args().skip(1);
-    let mut next = |default| arguments.next().map_or(Ok(default), |text| text.parse::<usize>());
-    let (order, digits) = (next(40)?, next(100)?);
-    let start = Instant::now();
+    let sizes = std::env::args().skip(1).map(|size| size.parse()).collect::<Result<Vec<usize>, _>>()?;
+    let [order, digits] = sizes[..] else { return Err("usage: time_coefficients K D".into()) };
+    let start = std::time::Instant::now();
     let c = coefficients(Quantity::Restitution, &ForceLaw::viscoelastic_spheres(), order, digits)?;
-    let seconds = start.elapsed().as_secs_f64();
-    println!("{seconds:.4} s K={order} D={digits}");
-    println!("{}", c[order].to_digits(digits).unwrap_or_default());
+    println!("{}", start.elapsed().as_secs_f64());
+    for (k, value) in c.iter().enumerate().skip(1) {
+        let shown = value.to_digits(digits).ok_or("the digits were promised")?;
+        let unit = shown.find('e').map_or(0, |e| shown[e + 1..].parse().unwrap_or(0));
+        let behind_point =
+            shown.split('e').next().and_then(|m| m.split_once('.')).map_or(0, |(_, f)| f.len());
+        println!("{k},{shown},1e{}", unit - i64::try_from(behind_point)?); // a unit of the last digit
+    }
     Ok(())
 }

@@ -1,0 +1,29 @@
+//! How long do exact trajectories take? usage: time_exact N J
+//!
+//! Prints the seconds for the coefficients `q_(n,j)`, `n <= N`, `j <= J`, then `n,j,value`.
+
+use num_rational::BigRational;
+use restitution_law::ForceLaw;
+use restitution_series::{Trajectories, Units};
+use std::io::Write;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let sizes = std::env::args().skip(1).map(|size| size.parse()).collect::<Result<Vec<usize>, _>>()?;
+    let [order, last] = sizes[..] else { return Err("usage: time_exact N J".into()) };
+    let start = std::time::Instant::now();
+    let law = ForceLaw::viscoelastic_spheres();
+    let trajectories = Trajectories::<BigRational>::derive(&law, order, last + 1, &Units::natural());
+    println!("{}", start.elapsed().as_secs_f64());
+    print(&trajectories)?;
+    Ok(())
+}
+
+fn print(trajectories: &Trajectories<BigRational>) -> Result<(), Box<dyn std::error::Error>> {
+    let mut out = std::io::BufWriter::new(std::io::stdout().lock());
+    for n in 0..=trajectories.damping_order() {
+        for (j, q) in trajectories.coefficients(n)?.iter().enumerate() {
+            writeln!(out, "{n},{j},{}/{}", q.numer(), q.denom())?;
+        }
+    }
+    Ok(out.flush()?)
+}
