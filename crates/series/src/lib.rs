@@ -26,4 +26,3 @@ pub use field::{Field, ZeroTest};
 pub use fractional_series::FractionalSeries;
 pub use trajectories::{Trajectories, Units};
 pub use turning_time::turning_time;
-

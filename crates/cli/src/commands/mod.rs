@@ -11,7 +11,7 @@
 //!    an estimate, then the work inside [`progress::during`](crate::progress::during), then
 //!    `self.output.print(&table)`.
 //! 3. A variant of [`Command`] below and its arm.
-//! 4. Tests in `crates/cli/tests/`, with one wrong input of each kind, and a line in the README.
+//! 4. Tests in `crates/cli/tests/it/`, with one wrong input of each kind, and a line in the README.
 
 pub mod completions;
 pub mod table;

@@ -1,11 +1,9 @@
 //! What every subcommand shares: wrong input, formats, `-o`, pipes, Ctrl-C.
 
-mod support;
-
+use crate::support::{fail, files, one_line, restitution, succeed};
 use std::fs;
 use std::io::Read;
 use std::process::Stdio;
-use support::{fail, files, one_line, restitution, succeed};
 
 #[test]
 fn wrong_input_is_named_with_its_remedy() {

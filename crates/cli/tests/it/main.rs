@@ -1,0 +1,5 @@
+//! The command, run as its users run it; one binary.
+
+mod readme;
+mod shared;
+mod support;
