@@ -95,6 +95,15 @@ impl Series {
         let pairs: Vec<_> = (1..n).map(|k| (1, &x.factors[k], &y.factors[n - k])).collect();
         BallVector::sum_of_products(&pairs, width)
     }
+
+    /// As [`Series::cross`] of a series with itself, each pair once.
+    fn cross_square(&self, width: usize) -> Vec<Ball> {
+        let n = self.factors.len();
+        let weight = |k: usize| if 2 * k < n { 2 } else { 1 };
+        let pairs: Vec<_> =
+            (1..=n / 2).map(|k| (weight(k), &self.factors[k], &self.factors[n - k])).collect();
+        BallVector::sum_of_products(&pairs, width)
+    }
 }
 
 /// `F` to one power, with its exponent.
@@ -149,7 +158,7 @@ impl System {
     /// Appends the coefficients of the next damping order.
     fn add_order(&mut self, width: usize) {
         let n = self.logarithmic.rows.len();
-        let squares = Series::cross(&self.logarithmic, &self.logarithmic, width);
+        let squares = self.logarithmic.cross_square(width);
         let known: Vec<Vec<Ball>> =
             self.powers.iter().map(|p| Series::cross(&self.logarithmic, &p.series, width)).collect();
         let mut row = Vec::with_capacity(width);

@@ -9,6 +9,9 @@ use rug::Float;
 use rug::float::Round;
 use rug::ops::AddAssignRound;
 
+/// Far more bits than any sum can have, and within the exponents of MPFR.
+const MAX_BITS: u32 = 1 << 30;
+
 /// Proved bounds of the coefficients of the trajectories `x_0, ..., x_N` of one force law.
 ///
 /// ```text
@@ -87,7 +90,7 @@ impl TailBound {
 
     /// The largest `r` that was proved: `|q_(n,j)| T^e` falls at least like `r^(-j)`.
     pub fn ratio(&self) -> f64 {
-        self.rates.iter().filter(|rate| rate.covers(1)).map(Decay::ratio).fold(0.0, f64::max)
+        self.rates.iter().filter(|rate| rate.covers(self.damping_order)).map(Decay::ratio).fold(0.0, f64::max)
     }
 
     /// Returns an upper bound of `|q_(n,j)| T^e`; infinite for `n` beyond the damping order.
@@ -125,7 +128,8 @@ impl TailBound {
         tail
     }
 
-    /// Returns how many terms make every tail of orders `0..=damping_order` less than `2^-bits`.
+    /// Returns how many terms make every tail of orders `0..=damping_order` less than `2^-bits`, for at
+    /// most 2^30 bits.
     pub fn terms_for(&self, bits: u32) -> usize {
         (0..=self.damping_order).fold(0, |terms, n| self.terms_from(n, bits, terms))
     }
@@ -160,8 +164,7 @@ impl TailBound {
     /// Whether the velocity's tail, which exceeds the position's, is below `2^-bits`.
     fn velocity_is_below(&self, n: usize, terms: usize, bits: u32) -> bool {
         let tail = self.tail_at_turning_point(TurningPointSum::Velocity, n, terms);
-        let exponent = i32::try_from(bits).unwrap_or(i32::MAX);
-        tail < Float::with_val(32, 1) >> exponent
+        tail < Float::with_val(32, 1) >> i32::try_from(bits.min(MAX_BITS)).unwrap_or(i32::MAX)
     }
 
     /// The rate that gives about the smallest bound at an index beyond the head.
