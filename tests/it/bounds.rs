@@ -3,7 +3,7 @@
 //! The truth is computed here from the equation of motion by J. C. P. Miller's recurrence for powers
 //! of a series, in balls of 320 bits; the bound itself uses neither.
 
-use crate::support::{cases, generator};
+use crate::support::{cases, generator, in_snapshots};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use proptest::prelude::*;
@@ -11,6 +11,7 @@ use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use restitution_series::{TailBound, TurningPointSum};
 use rug::Float;
+use std::fmt::Write;
 
 const BITS: u32 = 320;
 /// How many coefficients beyond the head are compared.
@@ -136,6 +137,25 @@ fn every_coefficient_of_spheres_is_bounded() {
     assert!(least >= 1.0, "bound/truth falls to {least}");
     // Twelve decimal digits are 17 terms of the series, at most, that need not have been summed.
     assert!(largest < 1e13, "bound/truth reaches {largest}");
+}
+
+/// What `docs/error-bounds.md`, section 7, shows.
+#[test]
+fn slack_of_spheres() {
+    let spheres = ForceLaw::viscoelastic_spheres();
+    let bound = TailBound::find(&spheres, 4).expect("spheres are bounded");
+    let truth = Truth::new(&spheres, 4, 120 + NEXT);
+    let mut text = String::from(
+        "velocity sums of spheres: what J terms leave out\nn  J    bound    truth    bound/truth\n",
+    );
+    for n in 0..=4 {
+        for terms in [20, 41, 60, 80, 120] {
+            let bound = bound.tail_at_turning_point(TurningPointSum::Velocity, n, terms).to_f64();
+            let truth = truth.tail_down(TurningPointSum::Velocity, n, terms).to_f64();
+            writeln!(text, "{n}  {terms:3}  {bound:.1e}  {truth:.1e}  {:.1e}", bound / truth).expect("text");
+        }
+    }
+    in_snapshots("bounds", || insta::assert_snapshot!("slack", text));
 }
 
 #[test]
