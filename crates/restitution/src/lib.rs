@@ -12,8 +12,53 @@ mod velocity;
 mod zero_compression;
 mod zero_force;
 
+#[cfg(feature = "std")]
+pub mod codes;
+#[cfg(feature = "std")]
+mod collision;
+#[cfg(feature = "std")]
+mod contact;
+#[cfg(feature = "std")]
+mod course;
+#[cfg(feature = "std")]
+mod damping;
+#[cfg(feature = "std")]
+mod dissipation;
+#[cfg(feature = "std")]
+mod error;
+#[cfg(feature = "std")]
+mod fit;
+#[cfg(feature = "std")]
+mod material;
+#[cfg(feature = "std")]
+mod measurement;
+#[cfg(feature = "std")]
+mod time_step;
+#[cfg(feature = "std")]
+mod validity;
+
 pub use batch::epsilon_batch;
+#[cfg(feature = "std")]
+pub use collision::{ViscoelasticContact, characteristic_velocity_from};
+#[cfg(feature = "std")]
+pub use contact::{Contact, Plane, effective};
+#[cfg(feature = "std")]
+pub use course::{Course, LARGEST_FOLLOWED_U};
+#[cfg(feature = "std")]
+pub use dissipation::{DissipationFormula, combined_dissipative_constant, dissipative_constant};
 pub use end::End;
 pub use epsilon::{epsilon, one_minus_epsilon};
+#[cfg(feature = "std")]
+pub use error::MaterialError;
 pub use fifth_root::fifth_root;
+#[cfg(feature = "std")]
+pub use fit::{Fit, Loss, fit};
+#[cfg(feature = "std")]
+pub use material::{Material, Sphere, sphere_mass};
+#[cfg(feature = "std")]
+pub use measurement::{FitError, LARGEST_MEASURED_EPSILON, Measurement};
+#[cfg(feature = "std")]
+pub use time_step::{time_step_error, time_step_for};
+#[cfg(feature = "std")]
+pub use validity::{Validity, Verdict};
 pub use velocity::Restitution;

@@ -1,0 +1,86 @@
+use crate::error::at_least_zero;
+use crate::{End, MaterialError};
+use core::f64::consts::{FRAC_1_SQRT_2, PI};
+
+/// The damping `xi^(1/4)` that makes the coefficient of restitution independent of velocity.
+///
+/// What LIGGGHTS `model hertz`, LAMMPS `damping tsuji` and `coeff_restitution` and YADE's `betan` use. With the scaled
+/// equation `x'' + c x^(1/4) x' + x^(3/2) = 0` (eq. 12 of \[RPBS1999\] for `a = 3/2`) and `zeta = c/sqrt(5)`:
+///
+/// ```text
+/// zero compression:  epsilon = exp(-pi zeta/sqrt(1-zeta^2))
+/// zero force:        epsilon = exp(-zeta/sqrt(1-zeta^2) (pi - atan(2 zeta sqrt(1-zeta^2)/(1 - 2 zeta^2))))
+/// ```
+///
+/// The variable `x^(5/4)` turns the equation into a linear spring and dashpot, zero force into its zero force. Not
+/// the damping of a viscoelastic body.
+///
+/// # Examples
+///
+/// ```
+/// use restitution::codes::ConstantRestitution;
+/// use restitution::{End, MaterialError};
+///
+/// let nominal = ConstantRestitution::of_epsilon(0.7)?; // at zero compression, as the codes define it
+/// assert!((nominal.epsilon(End::ZeroForce) - 0.71820).abs() < 1e-5);
+///
+/// assert_eq!(ConstantRestitution::of_epsilon(0.0), Err(MaterialError::Epsilon { value: 0.0 }));
+/// # Ok::<(), MaterialError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ConstantRestitution {
+    zeta: f64,
+}
+
+impl ConstantRestitution {
+    /// Returns the law that rebounds with `epsilon` at zero compression.
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError::Epsilon`] unless `0 < epsilon < 1`.
+    pub fn of_epsilon(epsilon: f64) -> Result<Self, MaterialError> {
+        if !(epsilon > 0.0 && epsilon < 1.0) {
+            return Err(MaterialError::Epsilon { value: epsilon });
+        }
+        let logarithm = epsilon.ln();
+        Ok(Self { zeta: -logarithm / logarithm.hypot(PI) })
+    }
+
+    /// Returns the law of YADE's damping ratio `betan`: `c = 2 sqrt(3/2) betan`.
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError::Negative`] below zero.
+    pub fn of_betan(betan: f64) -> Result<Self, MaterialError> {
+        Ok(Self { zeta: 2.0 * 0.3_f64.sqrt() * at_least_zero("damping ratio betan", betan)? })
+    }
+
+    /// YADE's damping ratio.
+    pub fn betan(&self) -> f64 {
+        self.zeta / (2.0 * 0.3_f64.sqrt())
+    }
+
+    /// The damping ratio `zeta` of the equivalent linear spring and dashpot.
+    pub fn zeta(&self) -> f64 {
+        self.zeta
+    }
+
+    /// The coefficient of restitution; 0 at zero compression from critical damping, `zeta = 1`, on.
+    pub fn epsilon(&self, end: End) -> f64 {
+        let zeta = self.zeta;
+        match end {
+            End::ZeroCompression if zeta >= 1.0 => 0.0,
+            End::ZeroCompression => (-PI * zeta / ((1.0 - zeta) * (1.0 + zeta)).sqrt()).exp(),
+            End::ZeroForce if zeta < 1.0 => {
+                let root = ((1.0 - zeta) * (1.0 + zeta)).sqrt();
+                let angle = (2.0 * zeta * root).atan2(2.0 * (FRAC_1_SQRT_2 - zeta) * (FRAC_1_SQRT_2 + zeta));
+                (-zeta / root * (PI - angle)).exp()
+            }
+            End::ZeroForce if zeta == 1.0 => (-2.0_f64).exp(),
+            End::ZeroForce => {
+                let root = ((zeta - 1.0) * (zeta + 1.0)).sqrt();
+                (-2.0 * (zeta + root).ln() * (zeta / root)).exp()
+            }
+        }
+    }
+}

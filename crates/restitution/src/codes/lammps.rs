@@ -1,0 +1,139 @@
+use super::{Input, from_stiffness_and_damping, plane_strain, stiffness_and_damping};
+use crate::{End, MaterialError, ViscoelasticContact};
+use core::fmt;
+
+/// LAMMPS, `pair_style granular` with `hertz k_n eta_n0` and `damping viscoelastic`.
+///
+/// ```text
+/// rho = k_n sqrt(R_eff),   (3/2) A = eta_n0 m_eff/k_n
+/// ```
+///
+/// `hertz/material E eta_n0 nu` is the same with `k_n = (2/3) E/(1-nu^2)`. Zero compression ends the contact;
+/// with `limit_damping` zero force does. `eta_n0` multiplies the effective mass: one value is right for one
+/// `m_eff`, and in a mixture of sizes `A` grows in proportion to `m_eff`.
+///
+/// # Examples
+///
+/// ```
+/// use restitution::codes::LammpsGranular;
+/// use restitution::{End, MaterialError};
+///
+/// let input = LammpsGranular { k_n: 1e7, eta_n0: 2e7, end: End::ZeroForce };
+/// let pair = input.contact(0.005, 1e-3)?; // effective radius and mass
+/// assert_eq!(pair.dissipative_constant(), 2e7 * 1e-3 / 1e7 / 1.5);
+/// assert_eq!(LammpsGranular::new(&pair, input.end)?, input);
+/// assert!(input.to_string().ends_with("damping viscoelastic limit_damping"));
+///
+/// let wrong = LammpsGranular { k_n: -1e7, ..input };
+/// assert!(matches!(wrong.contact(0.005, 1e-3), Err(MaterialError::NotPositive { .. })));
+/// # Ok::<(), MaterialError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LammpsGranular {
+    /// The stiffness `k_n`, in Pa.
+    pub k_n: f64,
+    /// The damping `eta_n0`, in 1/(m s).
+    pub eta_n0: f64,
+    /// Zero force stands for `limit_damping`.
+    pub end: End,
+}
+
+impl LammpsGranular {
+    /// Returns the input that stands for `pair`.
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError::OutOfRange`], [`MaterialError::Negative`] beyond f64.
+    pub fn new(pair: &ViscoelasticContact, end: End) -> Result<Self, MaterialError> {
+        let (k_n, eta_n0) = stiffness_and_damping(pair)?;
+        Ok(Self { k_n, eta_n0, end })
+    }
+
+    /// Returns the input of `hertz/material E eta_n0 nu`, where Young's modulus and Poisson's ratio give `k_n`.
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError::PoissonRatio`] outside (-1, 1/2).
+    pub fn of_material(young: f64, poisson: f64, eta_n0: f64, end: End) -> Result<Self, MaterialError> {
+        Ok(Self { k_n: 2.0 / 3.0 * young / plane_strain(poisson)?, eta_n0, end })
+    }
+
+    /// Returns what the input means for particles of the given effective radius (m) and mass (kg).
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError::NotPositive`] or [`MaterialError::Negative`] for values that mean nothing.
+    pub fn contact(&self, radius: f64, mass: f64) -> Result<ViscoelasticContact, MaterialError> {
+        from_stiffness_and_damping((self.k_n, self.eta_n0), radius, mass)
+    }
+}
+
+impl fmt::Display for LammpsGranular {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (k_n, eta_n0) = (Input(self.k_n), Input(self.eta_n0));
+        writeln!(f, "pair_style granular")?;
+        write!(
+            f,
+            "pair_coeff * * hertz {k_n} {eta_n0} tangential linear_nohistory 0 0 damping viscoelastic"
+        )?;
+        if self.end == End::ZeroForce { write!(f, " limit_damping") } else { Ok(()) }
+    }
+}
+
+/// LAMMPS, the classic `pair_style gran/hertz/history Kn Kt gamma_n gamma_t xmu dampflag`.
+///
+/// The same force as [`LammpsGranular`] with `gamma_n = eta_n0`; zero compression ends the contact.
+///
+/// # Examples
+///
+/// ```
+/// use restitution::codes::LammpsHertzHistory;
+/// use restitution::MaterialError;
+///
+/// let input = LammpsHertzHistory { kn: 1e7, gamma_n: 2e7 };
+/// assert_eq!(LammpsHertzHistory::new(&input.contact(0.005, 1e-3)?)?, input);
+///
+/// let wrong = LammpsHertzHistory { gamma_n: f64::NAN, ..input };
+/// assert!(matches!(wrong.contact(0.005, 1e-3), Err(MaterialError::Negative { .. })));
+/// # Ok::<(), MaterialError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LammpsHertzHistory {
+    /// The stiffness `Kn`, in Pa.
+    pub kn: f64,
+    /// The damping `gamma_n`, in 1/(m s).
+    pub gamma_n: f64,
+}
+
+impl LammpsHertzHistory {
+    /// Returns the input that stands for `pair`.
+    ///
+    /// # Errors
+    ///
+    /// As [`LammpsGranular::new`].
+    pub fn new(pair: &ViscoelasticContact) -> Result<Self, MaterialError> {
+        let (kn, gamma_n) = stiffness_and_damping(pair)?;
+        Ok(Self { kn, gamma_n })
+    }
+
+    /// Returns what the input means for particles of the given effective radius (m) and mass (kg).
+    ///
+    /// # Errors
+    ///
+    /// As [`LammpsGranular::contact`].
+    pub fn contact(&self, radius: f64, mass: f64) -> Result<ViscoelasticContact, MaterialError> {
+        from_stiffness_and_damping((self.kn, self.gamma_n), radius, mass)
+    }
+}
+
+impl fmt::Display for LammpsHertzHistory {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "pair_style gran/hertz/history {} NULL {} NULL 0 0",
+            Input(self.kn),
+            Input(self.gamma_n)
+        )?;
+        write!(f, "pair_coeff * *")
+    }
+}

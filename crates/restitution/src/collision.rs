@@ -1,0 +1,195 @@
+//! A viscoelastic contact: Hertz's law and its dissipative constant.
+
+use crate::error::{at_least_zero, in_range, positive};
+use crate::{Contact, Course, End, MaterialError};
+
+/// `-C_1`, the slope of `epsilon` at `u = 0` (eqs. A32, 31 of \[RPBS1999\]).
+pub(crate) const SLOPE: f64 = 1.153_448_858_095_288;
+/// `(5/4)^(3/5)`, which leads from `u` to `delta` of eq. (14).
+const DELTA_OVER_U: f64 = 1.143_262_629_818_316;
+/// `2 T`, the duration of an undamped collision in units of `tau`.
+const ELASTIC_DURATION: f64 = 3.218_065_459_719_043;
+/// `(5/4)^(2/5)`, the maximal compression of an undamped collision in units of `g tau`.
+const ELASTIC_COMPRESSION: f64 = 1.093_362_073_943_278_1;
+
+/// A contact with the force `rho (xi^(3/2) + (3/2) A sqrt(xi) xi')` (eq. 5 of \[RPBS1999\]).
+///
+/// # Examples
+///
+/// ```
+/// use restitution::{Contact, End, Material, MaterialError, Sphere, ViscoelasticContact};
+///
+/// let ice = Material::new(9.4e9, 0.33, 917.0)?;
+/// let ball = Sphere::new(ice, 0.0275)?;
+/// let contact = Contact::of_spheres(&ball, &ball)?;
+/// let pair = ViscoelasticContact::from_measurement(contact, 0.01, 0.5, End::ZeroCompression)?;
+/// assert!((pair.epsilon(0.01, End::ZeroCompression)? - 0.5).abs() < 1e-15);
+///
+/// let impossible = ViscoelasticContact::from_measurement(contact, 0.01, 1.5, End::ZeroCompression);
+/// assert_eq!(impossible, Err(MaterialError::Epsilon { value: 1.5 }));
+/// # Ok::<(), MaterialError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ViscoelasticContact {
+    contact: Contact,
+    a: f64,
+}
+
+impl ViscoelasticContact {
+    /// Returns the contact with dissipative constant `a`, in s.
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError::Negative`] for a constant below zero or not finite.
+    pub fn new(contact: Contact, a: f64) -> Result<Self, MaterialError> {
+        Ok(Self { contact, a: at_least_zero("dissipative constant A", a)? })
+    }
+
+    /// Returns the contact whose characteristic velocity is `g_star` (m/s), by eq. (31) solved for `A`.
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError::NotPositive`] or [`MaterialError::OutOfRange`].
+    pub fn from_characteristic_velocity(contact: Contact, g_star: f64) -> Result<Self, MaterialError> {
+        let root = positive("characteristic velocity g*", g_star)?.powf(0.2);
+        Self::with_damping(contact, 1.0 / (SLOPE * root))
+    }
+
+    /// Returns the contact that rebounds with `epsilon` at impact velocity `velocity` (m/s).
+    ///
+    /// The inverse of [`epsilon`](Self::epsilon), exact but for rounding: one measured pair fixes `A`.
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError::Epsilon`] unless `0 < epsilon < 1`; [`MaterialError::NotPositive`],
+    /// [`MaterialError::OutOfRange`].
+    pub fn from_measurement(
+        contact: Contact,
+        velocity: f64,
+        epsilon: f64,
+        end: End,
+    ) -> Result<Self, MaterialError> {
+        let root = positive("velocity", velocity)?.powf(0.2);
+        Self::with_damping(contact, damping_of(epsilon, end)? / root)
+    }
+
+    /// Returns the contact with `u = damping g^(1/5)`.
+    fn with_damping(contact: Contact, damping: f64) -> Result<Self, MaterialError> {
+        let a = in_range("dissipative constant A", damping / (1.5 * contact.rate()))?;
+        Self::new(contact, a)
+    }
+
+    /// The elastic contact.
+    pub fn contact(&self) -> &Contact {
+        &self.contact
+    }
+
+    /// The dissipative constant `A`, in s.
+    pub fn dissipative_constant(&self) -> f64 {
+        self.a
+    }
+
+    /// The damping parameter `u = (3/2) A (rho/m_eff)^(2/5) g^(1/5)` at impact velocity `velocity` (m/s).
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError::Negative`] for a velocity below zero, [`MaterialError::OutOfRange`].
+    pub fn u(&self, velocity: f64) -> Result<f64, MaterialError> {
+        let u = 1.5 * self.a * self.contact.rate() * at_least_zero("velocity", velocity)?.powf(0.2);
+        if u.is_finite() { Ok(u) } else { Err(MaterialError::OutOfRange { quantity: "damping parameter u" }) }
+    }
+
+    /// The coefficient `delta = (5/4)^(3/5) u` of the dimensionless equation (10), eq. (14).
+    ///
+    /// # Errors
+    ///
+    /// As [`u`](Self::u).
+    pub fn delta(&self, velocity: f64) -> Result<f64, MaterialError> {
+        Ok(DELTA_OVER_U * self.u(velocity)?)
+    }
+
+    /// The characteristic velocity `g* = (1.15344... (3/2) A (rho/m_eff)^(2/5))^(-5)` of eq. (31), in m/s.
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError::OutOfRange`] if there is no damping, or so little that f64 cannot hold `g*`.
+    pub fn characteristic_velocity(&self) -> Result<f64, MaterialError> {
+        let slope = SLOPE * 1.5 * self.a * self.contact.rate();
+        in_range("characteristic velocity g*", slope.powi(-5))
+    }
+
+    /// The coefficient of restitution at impact velocity `velocity` (m/s).
+    ///
+    /// # Errors
+    ///
+    /// As [`u`](Self::u).
+    pub fn epsilon(&self, velocity: f64, end: End) -> Result<f64, MaterialError> {
+        Ok(crate::epsilon(self.u(velocity)?, end))
+    }
+
+    /// The duration of the collision without damping, `2 T tau = 3.218... tau`, in s; closed form.
+    ///
+    /// # Errors
+    ///
+    /// As [`Contact::time_unit`].
+    pub fn elastic_duration(&self, velocity: f64) -> Result<f64, MaterialError> {
+        Ok(ELASTIC_DURATION * self.contact.time_unit(velocity)?)
+    }
+
+    /// The maximal compression without damping, `(5/4)^(2/5) g tau`, in m; closed form.
+    ///
+    /// Damping can only lower it: the kinetic energy has to pay for both.
+    ///
+    /// # Errors
+    ///
+    /// As [`Contact::time_unit`].
+    pub fn elastic_compression(&self, velocity: f64) -> Result<f64, MaterialError> {
+        Ok(ELASTIC_COMPRESSION * velocity * self.contact.time_unit(velocity)?)
+    }
+
+    /// The course of the damped collision, in s and m; `None` for `u` beyond [`LARGEST_FOLLOWED_U`](crate::LARGEST_FOLLOWED_U).
+    ///
+    /// # Errors
+    ///
+    /// As [`u`](Self::u) and [`Contact::time_unit`].
+    pub fn course(&self, velocity: f64, end: End) -> Result<Option<Course>, MaterialError> {
+        let time = self.contact.time_unit(velocity)?;
+        Ok(Course::follow(self.u(velocity)?, end).map(|course| Course {
+            time_to_turning: time * course.time_to_turning,
+            maximal_compression: velocity * time * course.maximal_compression,
+            duration: time * course.duration,
+        }))
+    }
+}
+
+/// Returns the characteristic velocity `g*` at which one measured pair fixes the whole curve.
+///
+/// `g* = g/(1.15344... u)^5` with `u` from `epsilon`; no material is needed.
+///
+/// # Errors
+///
+/// As [`ViscoelasticContact::from_measurement`].
+///
+/// # Examples
+///
+/// ```
+/// use restitution::{End, MaterialError, characteristic_velocity_from};
+///
+/// let g_star = characteristic_velocity_from(0.01, 0.55, End::ZeroCompression)?;
+/// assert!(g_star > 0.0);
+///
+/// let nothing = characteristic_velocity_from(0.01, 1.0, End::ZeroCompression);
+/// assert_eq!(nothing, Err(MaterialError::Epsilon { value: 1.0 }));
+/// # Ok::<(), MaterialError>(())
+/// ```
+pub fn characteristic_velocity_from(velocity: f64, epsilon: f64, end: End) -> Result<f64, MaterialError> {
+    let s = SLOPE * damping_of(epsilon, end)?;
+    in_range("characteristic velocity g*", positive("velocity", velocity)? / s.powi(5))
+}
+
+fn damping_of(epsilon: f64, end: End) -> Result<f64, MaterialError> {
+    if !(epsilon > 0.0 && epsilon < 1.0) {
+        return Err(MaterialError::Epsilon { value: epsilon });
+    }
+    in_range("damping parameter u", crate::damping::damping(epsilon, end))
+}
