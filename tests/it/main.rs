@@ -3,9 +3,13 @@
 mod approximate;
 mod bounds;
 mod citations;
+mod codes;
 mod dimensional;
 mod direct;
+mod fit;
+mod materials;
 mod pade_constructions;
 mod pade_contact;
 mod pade_series;
 mod support;
+mod time_step;

@@ -1,0 +1,183 @@
+//! Fits of the characteristic velocity: exact data, noise, outliers, and data that say nothing.
+
+use crate::support::{cases, generator};
+use proptest::prelude::RngExt;
+use restitution::{End, Fit, FitError, Loss, Measurement, Restitution, fit};
+
+const ENDS: [End; 2] = [End::ZeroCompression, End::ZeroForce];
+const LOSSES: [Loss; 2] = [Loss::Squares, Loss::Huber];
+
+/// Coefficients of the evaluator at velocities of equal ratio, with `noise` added to each.
+fn table(
+    g_star: f64,
+    end: End,
+    from: f64,
+    to: f64,
+    n: usize,
+    mut noise: impl FnMut() -> f64,
+) -> Vec<Measurement> {
+    let curve = Restitution::from_g_star(g_star, end);
+    let velocity = |k: usize| from * (to / from).powf(k as f64 / (n - 1) as f64);
+    (0..n).map(|k| Measurement::new(velocity(k), curve.epsilon(velocity(k)) + noise()).unwrap()).collect()
+}
+
+/// A standard normal variable: twelve uniform ones (Irwin and Hall), cut at six standard deviations.
+fn normal(rng: &mut impl RngExt) -> f64 {
+    (0..12).map(|_| rng.random::<f64>()).sum::<f64>() - 6.0
+}
+
+#[test]
+fn exact_tables_give_back_the_velocity() {
+    for g_star in [1e-6, 3.2e-3, 1.0, 7e4] {
+        for end in ENDS {
+            for loss in LOSSES {
+                let rows = table(g_star, end, g_star * 1e-6, g_star * 1e2, 20, || 0.0);
+                let result = fit(&rows, end, loss).unwrap();
+                assert!((result.characteristic_velocity / g_star - 1.0).abs() < 1e-12, "{result:?}");
+                assert!(result.log_error < 1e-12 && result.largest_residual.abs() < 1e-14);
+                assert_eq!(result.rows, 20);
+            }
+        }
+    }
+}
+
+#[test]
+fn two_rows_suffice() {
+    let rows = table(1.0, End::ZeroForce, 0.1, 10.0, 2, || 0.0);
+    assert!((fit(&rows, End::ZeroForce, Loss::Squares).unwrap().characteristic_velocity - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_unit_is_only_a_factor() {
+    let mut generator = generator(21, 1);
+    let rows = table(1.0, End::ZeroCompression, 1e-3, 10.0, 30, || 0.02 * normal(generator.rng()));
+    let other = rows.iter().map(|row| Measurement::new(100.0 * row.velocity(), row.epsilon()).unwrap());
+    let other = other.collect::<Vec<_>>();
+    for loss in LOSSES {
+        let (one, two) = (
+            fit(&rows, End::ZeroCompression, loss).unwrap(),
+            fit(&other, End::ZeroCompression, loss).unwrap(),
+        );
+        assert!((two.characteristic_velocity / one.characteristic_velocity / 100.0 - 1.0).abs() < 1e-9);
+        assert!((two.log_error / one.log_error - 1.0).abs() < 1e-6);
+    }
+}
+
+#[test]
+fn the_minimum_is_one() {
+    // no parameter on a fine grid does better
+    let mut generator = generator(22, 1);
+    for _ in 0..cases(5) {
+        let rows = table(1.0, End::ZeroCompression, 1e-5, 10.0, 15, || 0.05 * normal(generator.rng()));
+        let best = fit(&rows, End::ZeroCompression, Loss::Squares).unwrap();
+        let loss = |g_star: f64| {
+            let curve = Restitution::from_g_star(g_star, End::ZeroCompression);
+            rows.iter().map(|row| (row.epsilon() - curve.epsilon(row.velocity())).powi(2)).sum::<f64>()
+        };
+        let reached = loss(best.characteristic_velocity);
+        for k in -2000..2000 {
+            assert!(loss((f64::from(k) * 0.005).exp()) >= reached * (1.0 - 1e-12));
+        }
+    }
+}
+
+#[test]
+fn the_standard_error_is_the_error() {
+    // over many tables, the deviation in units of its standard error has variance 1
+    for loss in LOSSES {
+        let mut generator = generator(23, 1);
+        let tables = cases(200);
+        let (mut square, mut inside) = (0.0, 0);
+        for _ in 0..tables {
+            let rows = table(1.0, End::ZeroCompression, 1e-4, 30.0, 40, || 0.02 * normal(generator.rng()));
+            let result = fit(&rows, End::ZeroCompression, loss).unwrap();
+            let z = result.characteristic_velocity.ln() / result.log_error;
+            square += z * z;
+            inside += usize::from(z.abs() < 1.0);
+        }
+        let (variance, share) = (square / tables as f64, inside as f64 / tables as f64);
+        println!("{loss:?}: variance {variance:.3}, within one standard error {share:.3}");
+        // four standard deviations of the two statistics over 200 tables are 0.4 and 0.13
+        assert!((variance - 1.0).abs() < 0.4 && (share - 0.683).abs() < 0.13);
+    }
+}
+
+#[test]
+fn outliers_pull_huber_less() {
+    let mut generator = generator(24, 1);
+    let mut rows = table(1.0, End::ZeroForce, 1e-3, 10.0, 30, || 0.01 * normal(generator.rng()));
+    for k in [3, 11, 25] {
+        rows[k] = Measurement::new(rows[k].velocity(), 1.6).unwrap();
+    }
+    let off = |loss| fit(&rows, End::ZeroForce, loss).unwrap().characteristic_velocity.ln().abs();
+    assert!(off(Loss::Huber) < 0.1 && off(Loss::Squares) > 5.0 * off(Loss::Huber));
+    let result = fit(&rows, End::ZeroForce, Loss::Huber).unwrap();
+    assert!((3..15).contains(&result.outliers), "{result:?}");
+    assert!([3, 11, 25].contains(&result.largest_residual_row));
+}
+
+#[test]
+fn coefficients_above_one_are_noise() {
+    let mut generator = generator(25, 1);
+    let rows = table(1e6, End::ZeroCompression, 1e-3, 1e4, 200, || 0.05 * normal(generator.rng()));
+    assert!(rows.iter().filter(|row| row.epsilon() > 1.0).count() > 10);
+    let result = fit(&rows, End::ZeroCompression, Loss::Squares).unwrap();
+    assert!((result.characteristic_velocity / 1e6).ln().abs() < 4.0 * result.log_error);
+}
+
+#[test]
+fn data_that_say_nothing_are_refused() {
+    let rows = |pairs: &[(f64, f64)]| {
+        pairs.iter().map(|&(g, epsilon)| Measurement::new(g, epsilon).unwrap()).collect::<Vec<_>>()
+    };
+    let refused = |pairs: &[(f64, f64)]| fit(&rows(pairs), End::ZeroForce, Loss::Squares).unwrap_err();
+    assert_eq!(refused(&[]), FitError::TooFewRows { rows: 0 });
+    assert_eq!(refused(&[(1.0, 0.5)]), FitError::TooFewRows { rows: 1 });
+    assert_eq!(refused(&[(1.0, 0.5), (1.0, 0.6)]), FitError::OneVelocity { velocity: 1.0 });
+    assert_eq!(refused(&[(1.0, 1.0), (2.0, 1.1)]), FitError::NoDamping { rows: 2 });
+    let scattered = [(0.1, 0.99), (1.0, 1.3), (2.0, 0.7), (3.0, 1.4), (4.0, 0.65)];
+    assert!(matches!(refused(&scattered), FitError::Uninformative { .. }));
+    for (g, epsilon) in [(0.0, 0.5), (-1.0, 0.5), (f64::NAN, 0.5), (f64::INFINITY, 0.5)] {
+        assert!(matches!(Measurement::new(g, epsilon), Err(FitError::Velocity { .. })));
+    }
+    for epsilon in [0.0, -0.1, 2.1, f64::NAN, f64::INFINITY] {
+        assert!(matches!(Measurement::new(1.0, epsilon), Err(FitError::Epsilon { .. })));
+    }
+}
+
+#[test]
+fn extreme_tables_do_not_panic() {
+    let velocities = [f64::MIN_POSITIVE, 1e-300, 1e-8, 1.0, 1e300, f64::MAX];
+    let coefficients = [1e-300, 1e-16, 0.3, 1.0 - 1e-16, 1.0, 2.0];
+    let mut fitted = 0;
+    for (i, &g) in velocities.iter().enumerate() {
+        for &h in &velocities[i + 1..] {
+            for a in coefficients {
+                for b in coefficients {
+                    let rows = [Measurement::new(g, a).unwrap(), Measurement::new(h, b).unwrap()];
+                    for loss in LOSSES {
+                        if let Ok(result) = fit(&rows, End::ZeroCompression, loss) {
+                            let Fit { characteristic_velocity, log_error, .. } = result;
+                            assert!(characteristic_velocity.is_normal() && log_error.is_finite());
+                            fitted += 1;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(fitted > 0);
+}
+
+#[test]
+fn a_curve_of_another_law_is_called_systematic() {
+    // a power law, as Bridges, Hatzes and Lin fitted to ice
+    let rows = (0..28).map(|k| {
+        let g = 0.01 * 500_f64.powf(f64::from(k) / 27.0);
+        Measurement::new(g, 0.32 * g.powf(-0.234)).unwrap()
+    });
+    assert!(fit(&rows.collect::<Vec<_>>(), End::ZeroCompression, Loss::Squares).unwrap().is_systematic());
+    let mut generator = generator(26, 1);
+    let rows = table(1.0, End::ZeroCompression, 1e-4, 30.0, 40, || 0.02 * normal(generator.rng()));
+    assert!(!fit(&rows, End::ZeroCompression, Loss::Squares).unwrap().is_systematic());
+}
