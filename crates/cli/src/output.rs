@@ -60,6 +60,18 @@ impl OutputArgs {
     pub fn print(&self, table: &Table) -> Result<(), CliError> {
         self.target.write(&table.render(self.format))
     }
+
+    /// Prints lines that are no table, such as the input of another program.
+    ///
+    /// # Errors
+    ///
+    /// [`CliError::Usage`] for any format but text, else as [`TargetArgs::write`].
+    pub fn print_lines(&self, lines: &str) -> Result<(), CliError> {
+        match self.format {
+            Format::Text => self.target.write(lines),
+            _ => Err(CliError::usage("these lines are no table: leave --format out")),
+        }
+    }
 }
 
 impl TargetArgs {

@@ -14,6 +14,8 @@
 //! 4. Tests in `crates/cli/tests/it/`, with one wrong input of each kind, and a line in the README.
 
 pub mod completions;
+pub mod fit;
+pub mod material;
 pub mod table;
 pub mod trajectory;
 
@@ -39,6 +41,10 @@ pub enum Command {
     Trajectory(trajectory::TrajectoryArgs),
     /// Write the completions of a shell, or the manual page
     Completions(completions::CompletionsArgs),
+    /// Fit the characteristic velocity g* to measured coefficients of restitution
+    Fit(fit::FitArgs),
+    /// What follows from a material, a measurement or the input of a discrete-element code
+    Material(Box<material::MaterialArgs>),
 }
 
 /// Reads the arguments, the program's name first, and carries out what they ask for.
@@ -62,6 +68,8 @@ impl Command {
             Self::Table(args) => args.run(),
             Self::Trajectory(args) => args.run(),
             Self::Completions(args) => args.run(),
+            Self::Fit(args) => args.run(),
+            Self::Material(args) => args.run(),
         }
     }
 }

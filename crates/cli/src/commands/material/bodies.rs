@@ -1,0 +1,164 @@
+//! The two bodies of a contact.
+
+use crate::CliError;
+use crate::exact::Exact;
+use crate::units::{self, Quantity};
+use restitution::{Contact, Material, Plane, Sphere, effective, sphere_mass};
+
+/// What the sphere meets.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum Against {
+    /// Another sphere.
+    #[default]
+    Sphere,
+    /// A plane of the second material, or of the same.
+    Plane,
+    /// A plane that does not deform.
+    RigidPlane,
+}
+
+/// Arguments that say what collides.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Bodies")]
+pub(super) struct BodyArgs {
+    /// Young's modulus, such as 9.4GPa
+    #[arg(long, value_name = "Y", value_parser = units::modulus, allow_hyphen_values = true)]
+    young: Option<Quantity>,
+    /// Poisson's ratio
+    #[arg(long, value_name = "NU", allow_hyphen_values = true)]
+    poisson: Option<Exact>,
+    /// Mass density, such as 917kg/m3
+    #[arg(long, value_name = "DENSITY", value_parser = units::density, allow_hyphen_values = true)]
+    density: Option<Quantity>,
+    /// Radius of the sphere, such as 2.75cm
+    #[arg(long, value_name = "R", value_parser = units::length, allow_hyphen_values = true)]
+    radius: Option<Quantity>,
+    /// What it meets
+    #[arg(long, value_enum, default_value_t, value_name = "BODY")]
+    against: Against,
+    /// Radius of the second sphere [default: that of the first]
+    #[arg(long, value_name = "R", value_parser = units::length, allow_hyphen_values = true)]
+    radius2: Option<Quantity>,
+    /// Young's modulus of the second body [default: that of the first]
+    #[arg(long, value_name = "Y", value_parser = units::modulus, allow_hyphen_values = true)]
+    young2: Option<Quantity>,
+    /// Poisson's ratio of the second body
+    #[arg(long, value_name = "NU", allow_hyphen_values = true)]
+    poisson2: Option<Exact>,
+    /// Mass density of the second body
+    #[arg(long, value_name = "DENSITY", value_parser = units::density, allow_hyphen_values = true)]
+    density2: Option<Quantity>,
+    /// Effective radius R1 R2/(R1 + R2), instead of the bodies
+    #[arg(long, value_name = "R", value_parser = units::length, allow_hyphen_values = true, requires = "effective_mass", conflicts_with_all = ["radius", "radius2", "density", "density2"])]
+    effective_radius: Option<Quantity>,
+    /// Effective mass m1 m2/(m1 + m2), instead of the bodies
+    #[arg(long, value_name = "M", value_parser = units::mass, allow_hyphen_values = true, requires = "effective_radius")]
+    effective_mass: Option<Quantity>,
+    /// Effective modulus, 1/E the sum of (1 - NU^2)/Y, instead of the materials
+    #[arg(long, value_name = "E", value_parser = units::modulus, allow_hyphen_values = true, requires = "effective_radius", conflicts_with_all = ["young", "poisson", "young2", "poisson2"])]
+    effective_modulus: Option<Quantity>,
+}
+
+impl BodyArgs {
+    /// The elastic contact.
+    pub(super) fn contact(&self) -> Result<Contact, CliError> {
+        if let (Some(radius), Some(mass)) = (&self.effective_radius, &self.effective_mass) {
+            let modulus = match &self.effective_modulus {
+                Some(modulus) => modulus.to_f64(),
+                None => {
+                    0.5 * required(&self.young, "--effective-modulus or --young")?.to_f64()
+                        / self.plane_strain()?
+                }
+            };
+            return Contact::new(radius.to_f64(), mass.to_f64(), modulus).map_err(CliError::usage);
+        }
+        let sphere = self.sphere()?;
+        match self.against {
+            Against::Sphere => Contact::of_spheres(&sphere, &self.second_sphere(&sphere)?),
+            Against::Plane => {
+                Contact::with_plane(&sphere, Plane::Of(self.second_material()?.unwrap_or(*sphere.material())))
+            }
+            Against::RigidPlane => Contact::with_plane(&sphere, Plane::Rigid),
+        }
+        .map_err(CliError::usage)
+    }
+
+    /// The effective radius and mass alone, for the input of a code, which brings the modulus.
+    pub(super) fn radius_and_mass(&self) -> Result<(f64, f64), CliError> {
+        if let (Some(radius), Some(mass)) = (&self.effective_radius, &self.effective_mass) {
+            return Ok((radius.to_f64(), mass.to_f64()));
+        }
+        let radius = required(&self.radius, "--radius")?.to_f64();
+        let density = required(&self.density, "--density")?.to_f64();
+        let mass = sphere_mass(radius, density);
+        if self.against != Against::Sphere {
+            return Ok((radius, mass));
+        }
+        let radius2 = self.radius2.as_ref().map_or(radius, Quantity::to_f64);
+        let density2 = self.density2.as_ref().map_or(density, Quantity::to_f64);
+        Ok((effective(radius, radius2), effective(mass, sphere_mass(radius2, density2))))
+    }
+
+    /// The material, if it was given in full: of two, the one with the lower speed of sound.
+    pub(super) fn softer_material(&self) -> Result<Option<Material>, CliError> {
+        if self.young.is_none() || self.poisson.is_none() || self.density.is_none() {
+            return Ok(None);
+        }
+        let first = self.material()?;
+        let second = self.second_material()?.unwrap_or(first);
+        Ok(Some(if second.sound_speed() < first.sound_speed() { second } else { first }))
+    }
+
+    /// The first material.
+    pub(super) fn material(&self) -> Result<Material, CliError> {
+        let young = required(&self.young, "--young")?.to_f64();
+        let poisson = required(&self.poisson, "--poisson")?.to_f64();
+        let density = required(&self.density, "--density")?.to_f64();
+        Material::new(young, poisson, density).map_err(CliError::usage)
+    }
+
+    /// The second material, if it differs from the first.
+    pub(super) fn second_material(&self) -> Result<Option<Material>, CliError> {
+        if self.young2.is_none() && self.poisson2.is_none() && self.density2.is_none() {
+            return Ok(None);
+        }
+        let first = self.material()?;
+        let young = self.young2.as_ref().map_or(first.young(), Quantity::to_f64);
+        let poisson = self.poisson2.as_ref().map_or(first.poisson(), Exact::to_f64);
+        let density = self.density2.as_ref().map_or(first.density(), Quantity::to_f64);
+        Material::new(young, poisson, density).map(Some).map_err(CliError::usage)
+    }
+
+    /// Whether the second body deforms and is of another material.
+    pub(super) fn has_two_materials(&self) -> bool {
+        self.against != Against::RigidPlane && (self.young2.is_some() || self.poisson2.is_some())
+    }
+
+    /// Poisson's ratio, if it was given.
+    pub(super) fn poisson(&self) -> Option<f64> {
+        self.poisson.as_ref().map(Exact::to_f64)
+    }
+
+    fn sphere(&self) -> Result<Sphere, CliError> {
+        let radius = required(&self.radius, "--radius")?.to_f64();
+        Sphere::new(self.material()?, radius).map_err(CliError::usage)
+    }
+
+    fn second_sphere(&self, first: &Sphere) -> Result<Sphere, CliError> {
+        let material = self.second_material()?.unwrap_or(*first.material());
+        let radius = self.radius2.as_ref().map_or(first.radius(), Quantity::to_f64);
+        Sphere::new(material, radius).map_err(CliError::usage)
+    }
+
+    fn plane_strain(&self) -> Result<f64, CliError> {
+        let nu = required(&self.poisson, "--poisson")?.to_f64();
+        match nu > -1.0 && nu < 0.5 {
+            true => Ok((1.0 - nu) * (1.0 + nu)),
+            false => Err(CliError::usage(restitution::MaterialError::PoissonRatio { value: nu })),
+        }
+    }
+}
+
+fn required<'a, T>(value: &'a Option<T>, name: &str) -> Result<&'a T, CliError> {
+    value.as_ref().ok_or_else(|| CliError::usage(format!("the bodies are not complete: give {name}")))
+}

@@ -1,0 +1,118 @@
+//! How the bodies dissipate: one of four ways to say it.
+
+use super::bodies::BodyArgs;
+use crate::CliError;
+use crate::exact::Exact;
+use crate::units::{self, Dimension, Quantity};
+use restitution::{
+    Contact, DissipationFormula, End, ViscoelasticContact, combined_dissipative_constant,
+    dissipative_constant,
+};
+
+/// Which formula makes the dissipative constant of the viscosities.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Formula {
+    /// Eq. (4) of the paper: diverges as NU goes to 0, vanishes at NU = 1/2.
+    #[value(name = "eq4")]
+    Equation4,
+    /// The corrected formula of 2015.
+    #[value(name = "goldobin2015")]
+    Goldobin2015,
+}
+
+/// Arguments that say how the bodies dissipate.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Dissipation")]
+#[group(id = "damping", multiple = true)]
+pub(super) struct DampingArgs {
+    /// Dissipative constant A, such as 1e-6s
+    #[arg(long, value_name = "A", value_parser = units::time, allow_hyphen_values = true, conflicts_with_all = ["eta1", "eta2", "measured", "g_star"])]
+    dissipative_constant: Option<Quantity>,
+    /// Dissipative constant of the second material
+    #[arg(long, value_name = "A", value_parser = units::time, allow_hyphen_values = true, requires = "dissipative_constant")]
+    dissipative_constant2: Option<Quantity>,
+    /// Viscosity of shear, such as 1e4Pa*s
+    #[arg(long, value_name = "ETA", value_parser = units::viscosity, allow_hyphen_values = true, requires = "eta2", conflicts_with_all = ["measured", "g_star"])]
+    eta1: Option<Quantity>,
+    /// Viscosity of volume
+    #[arg(long, value_name = "ETA", value_parser = units::viscosity, allow_hyphen_values = true, requires = "eta1")]
+    eta2: Option<Quantity>,
+    /// The formula for A from the viscosities
+    #[arg(long, value_enum, value_name = "FORMULA", requires = "eta1")]
+    formula: Option<Formula>,
+    /// One measured pair, such as 1cm/s,0.55
+    #[arg(long, value_name = "G,EPSILON", value_parser = measured, allow_hyphen_values = true, conflicts_with = "g_star")]
+    measured: Option<(Quantity, Exact)>,
+    /// Characteristic velocity, such as 0.32cm/s
+    #[arg(long, value_name = "G", value_parser = units::velocity, allow_hyphen_values = true)]
+    g_star: Option<Quantity>,
+}
+
+impl DampingArgs {
+    /// The viscoelastic contact, if anything says how it dissipates.
+    pub(super) fn pair(
+        &self,
+        bodies: &BodyArgs,
+        contact: Contact,
+        end: End,
+    ) -> Result<Option<ViscoelasticContact>, CliError> {
+        let pair = if let Some((velocity, epsilon)) = &self.measured {
+            ViscoelasticContact::from_measurement(contact, velocity.to_f64(), epsilon.to_f64(), end)
+        } else if let Some(g_star) = &self.g_star {
+            ViscoelasticContact::from_characteristic_velocity(contact, g_star.to_f64())
+        } else if let Some(a) = self.constant(bodies)? {
+            ViscoelasticContact::new(contact, a)
+        } else {
+            return Ok(None);
+        };
+        pair.map(Some).map_err(CliError::usage)
+    }
+
+    fn constant(&self, bodies: &BodyArgs) -> Result<Option<f64>, CliError> {
+        if let (Some(eta_1), Some(eta_2)) = (&self.eta1, &self.eta2) {
+            return self.of_viscosities(bodies, eta_1.to_f64(), eta_2.to_f64()).map(Some);
+        }
+        let Some(a) = self.dissipative_constant.as_ref().map(Quantity::to_f64) else { return Ok(None) };
+        match (&self.dissipative_constant2, bodies.has_two_materials()) {
+            (None, false) => Ok(Some(a)),
+            (Some(_), false) => Err(CliError::usage(
+                "a second dissipative constant belongs to a second material: give --young2 or --poisson2",
+            )),
+            (None, true) => Err(CliError::usage(
+                "two materials dissipate in two ways: give --dissipative-constant2 for the second",
+            )),
+            (Some(a_2), true) => {
+                let second = bodies.second_material()?.map_or_else(|| bodies.material(), Ok)?;
+                let combined =
+                    combined_dissipative_constant((&bodies.material()?, a), (&second, a_2.to_f64()));
+                combined.map(Some).map_err(CliError::usage)
+            }
+        }
+    }
+
+    fn of_viscosities(&self, bodies: &BodyArgs, eta_1: f64, eta_2: f64) -> Result<f64, CliError> {
+        if bodies.has_two_materials() {
+            return Err(CliError::usage(
+                "one pair of viscosities is not enough for two materials: find A of each alone, then give --dissipative-constant and --dissipative-constant2",
+            ));
+        }
+        let formula = match self.formula {
+            Some(Formula::Equation4) => DissipationFormula::Equation4,
+            Some(Formula::Goldobin2015) => DissipationFormula::Goldobin2015,
+            None => {
+                return Err(CliError::usage(
+                    "two formulas lead from viscosities to A and differ: give --formula goldobin2015, or eq4 to follow the paper",
+                ));
+            }
+        };
+        dissipative_constant(&bodies.material()?, eta_1, eta_2, formula).map_err(CliError::usage)
+    }
+}
+
+fn measured(text: &str) -> Result<(Quantity, Exact), String> {
+    let (velocity, epsilon) = text.split_once(',').ok_or_else(|| {
+        format!("'{text}' is not a measured pair: write it as velocity,epsilon, such as 1cm/s,0.55")
+    })?;
+    let velocity = Quantity::parse(velocity, Dimension::Velocity).map_err(|error| error.to_string())?;
+    Ok((velocity, epsilon.parse().map_err(|error: crate::exact::NumberError| error.to_string())?))
+}

@@ -1,0 +1,111 @@
+//! `restitution material`: what a material, a measurement or a code's input means.
+
+mod bodies;
+mod code;
+mod damping;
+mod report;
+
+pub(super) use report::ten_digits;
+
+use crate::args::EndOfContact;
+use crate::exact::{Exact, at_least_zero};
+use crate::units::{self, Quantity};
+use crate::{CliError, OutputArgs};
+use bodies::BodyArgs;
+use code::{Code, CodeInput};
+use damping::DampingArgs;
+use restitution::{End, ViscoelasticContact};
+
+/// Arguments of `restitution material`.
+#[derive(Debug, clap::Args)]
+pub struct MaterialArgs {
+    #[command(flatten)]
+    bodies: BodyArgs,
+    #[command(flatten)]
+    damping: DampingArgs,
+    /// Impact velocities, such as 0.01m/s 1cm/s
+    #[arg(long, value_name = "G", num_args = 1.., value_parser = units::velocity)]
+    velocity: Vec<Quantity>,
+    /// Where the contact ends [default: zero-compression, or where the code ends it]
+    #[arg(long, value_enum, value_name = "END")]
+    end: Option<EndOfContact>,
+    /// Print the input lines of a discrete-element code
+    #[arg(long, value_enum, value_name = "CODE", conflicts_with = "from_code")]
+    code: Option<Code>,
+    /// Say what the input of a discrete-element code means
+    #[arg(long, value_enum, value_name = "CODE", requires = "input", conflicts_with_all = ["young", "poisson", "young2", "poisson2", "effective_modulus", "damping"])]
+    from_code: Option<Code>,
+    /// The input of the code, such as k_n=1e7,eta_n0=2e7,limit_damping
+    #[arg(long, value_name = "KEY=VALUE,...", requires = "from_code")]
+    input: Option<String>,
+    /// Also give the time step that keeps the error of epsilon below this
+    #[arg(long, value_name = "ERROR", value_parser = at_least_zero)]
+    error: Option<Exact>,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+impl MaterialArgs {
+    /// Prints the table of quantities, or the lines of a code.
+    ///
+    /// # Errors
+    ///
+    /// Usage for values that mean nothing, those of the output.
+    pub fn run(&self) -> Result<(), CliError> {
+        self.output.check()?;
+        units::all_or_none(&self.velocity).map_err(CliError::usage)?;
+        match (self.code, self.from_code) {
+            (Some(code), _) => self.output.print_lines(&code.lines(self)?),
+            (None, Some(code)) => self.print_meaning(code),
+            (None, None) => {
+                let contact = self.bodies.contact()?;
+                let pair = self.damping.pair(&self.bodies, contact, self.end())?;
+                self.print_report(contact, pair, self.end())
+            }
+        }
+    }
+
+    fn print_meaning(&self, code: Code) -> Result<(), CliError> {
+        let input = CodeInput::parse(code, self.input.as_deref().unwrap_or_default())?;
+        if let Some(law) = input.constant_law()? {
+            return self.output.print(&report::constant_law(&law));
+        }
+        let (radius, mass) = self.bodies.radius_and_mass()?;
+        let pair = input.pair(radius, mass)?;
+        let end = input.end(self.end)?;
+        self.print_report(*pair.contact(), Some(pair), end)
+    }
+
+    fn print_report(
+        &self,
+        contact: restitution::Contact,
+        pair: Option<ViscoelasticContact>,
+        end: End,
+    ) -> Result<(), CliError> {
+        if pair.is_none() && (!self.velocity.is_empty() || self.error.is_some()) {
+            return Err(CliError::usage(
+                "nothing says how the material dissipates: give --dissipative-constant, --eta1 and --eta2, --measured or --g-star",
+            ));
+        }
+        if self.error.is_some() && self.velocity.is_empty() {
+            return Err(CliError::usage("a time step belongs to an impact velocity: give --velocity"));
+        }
+        let material = self.bodies.softer_material()?;
+        let report =
+            report::Report { contact, pair, material, end, error: self.error.as_ref().map(Exact::to_f64) };
+        let velocities = self.velocity.iter().map(|g| (g.to_string(), g.to_f64())).collect::<Vec<_>>();
+        self.output.print(&report.table(&velocities)?)
+    }
+
+    /// The end of contact that was asked for.
+    fn end(&self) -> End {
+        end_of(self.end.unwrap_or_default())
+    }
+}
+
+fn end_of(end: EndOfContact) -> End {
+    match end {
+        EndOfContact::ZeroCompression => End::ZeroCompression,
+        EndOfContact::ZeroForce => End::ZeroForce,
+    }
+}

@@ -1,0 +1,118 @@
+//! The table of what follows from a contact.
+
+use crate::{Cell, CliError, Table};
+use restitution::codes::ConstantRestitution;
+use restitution::{Contact, End, Material, Validity, Verdict, ViscoelasticContact, time_step_for};
+
+/// What is known about a contact.
+pub(super) struct Report {
+    pub(super) contact: Contact,
+    pub(super) pair: Option<ViscoelasticContact>,
+    pub(super) material: Option<Material>,
+    pub(super) end: End,
+    pub(super) error: Option<f64>,
+}
+
+impl Report {
+    /// The whole table; velocities come with the text they were typed as.
+    pub(super) fn table(&self, velocities: &[(String, f64)]) -> Result<Table, CliError> {
+        let mut rows =
+            Rows(Table::new(&["velocity", "quantity", "symbol", "value", "unit", "note"]), String::new());
+        self.add_contact(&mut rows);
+        if let Some(pair) = &self.pair {
+            rows.add("dissipative constant", "A", pair.dissipative_constant(), "s", "");
+            if pair.dissipative_constant() > 0.0 {
+                let g_star = pair.characteristic_velocity().map_err(CliError::usage)?;
+                rows.add("characteristic velocity", "g*", g_star, "m/s", "eq. 31");
+            }
+            for (text, velocity) in velocities {
+                rows.1.clone_from(text);
+                self.add_collision(&mut rows, pair, *velocity)?;
+            }
+        }
+        Ok(rows.0)
+    }
+
+    fn add_contact(&self, rows: &mut Rows) {
+        rows.add("effective radius", "R_eff", self.contact.effective_radius(), "m", "");
+        rows.add("effective mass", "m_eff", self.contact.effective_mass(), "kg", "");
+        rows.add("effective modulus", "E", self.contact.effective_modulus(), "Pa", "");
+        rows.add("force prefactor", "rho", self.contact.force_prefactor(), "N/m^(3/2)", "eq. 2");
+        if let Some(material) = &self.material {
+            rows.add("sound speed", "c", material.sound_speed(), "m/s", "thin bar");
+        }
+    }
+
+    fn add_collision(&self, rows: &mut Rows, pair: &ViscoelasticContact, g: f64) -> Result<(), CliError> {
+        let usage = CliError::usage;
+        let end = match self.end {
+            End::ZeroCompression => "to zero compression",
+            End::ZeroForce => "to zero force",
+        };
+        rows.add("damping parameter", "u", pair.u(g).map_err(usage)?, "", "");
+        rows.add("dissipation coefficient", "delta", pair.delta(g).map_err(usage)?, "", "eq. 14");
+        rows.add("restitution", "epsilon", pair.epsilon(g, self.end).map_err(usage)?, "", end);
+        if let Some(course) = pair.course(g, self.end).map_err(usage)? {
+            rows.add("duration", "t_c", course.duration, "s", end);
+            rows.add("maximal compression", "xi_max", course.maximal_compression, "m", "");
+        }
+        let undamped = "without damping";
+        rows.add("duration", "2 T tau", pair.elastic_duration(g).map_err(usage)?, "s", undamped);
+        rows.add("maximal compression", "xi_0", pair.elastic_compression(g).map_err(usage)?, "m", undamped);
+        if let Some(material) = &self.material {
+            let validity = Validity::of(pair, material, g).map_err(usage)?;
+            for ((name, ratio), symbol) in validity.ratios().into_iter().zip(["g/c", "A/t_c", "a/R_eff"]) {
+                rows.add(name, symbol, ratio, "", says(Verdict::of(ratio)));
+            }
+        }
+        self.error.map_or(Ok(()), |error| self.add_time_step(rows, pair, g, error))
+    }
+
+    fn add_time_step(
+        &self,
+        rows: &mut Rows,
+        pair: &ViscoelasticContact,
+        g: f64,
+        error: f64,
+    ) -> Result<(), CliError> {
+        let step = pair.u(g).and_then(|u| time_step_for(u, error)).map_err(CliError::usage)?;
+        let tau = self.contact.time_unit(g).map_err(CliError::usage)?;
+        rows.add("time step", "dt", step * tau, "s", &format!("error of epsilon at most {error}"));
+        Ok(())
+    }
+}
+
+/// The table of a law whose coefficient does not depend on velocity.
+pub(super) fn constant_law(law: &ConstantRestitution) -> Table {
+    let mut rows = Rows(Table::new(&["quantity", "symbol", "value", "note"]), String::new());
+    for (end, note) in [(End::ZeroCompression, "to zero compression"), (End::ZeroForce, "to zero force")] {
+        rows.0.push(vec!["restitution".into(), "epsilon".into(), ten_digits(law.epsilon(end)), note.into()]);
+    }
+    rows.0.note("This input damps with xi^(1/4): the coefficient is the same at every velocity, unlike that of a viscoelastic body.");
+    rows.0
+}
+
+fn says(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Holds => "much smaller than 1: holds",
+        Verdict::Doubtful => "not much smaller than 1: doubtful",
+        Verdict::Violated => "should be much smaller than 1: violated",
+    }
+}
+
+/// A table and the velocity of the rows that are being added.
+struct Rows(Table, String);
+
+impl Rows {
+    fn add(&mut self, quantity: &str, symbol: &str, value: f64, unit: &str, note: &str) {
+        let velocity = self.1.as_str().into();
+        let cells =
+            vec![velocity, quantity.into(), symbol.into(), ten_digits(value), unit.into(), note.into()];
+        self.0.push(cells);
+    }
+}
+
+/// A number to ten digits, which f64 leaves untouched by its rounding.
+pub(in crate::commands) fn ten_digits(value: f64) -> Cell {
+    Cell::Float(format!("{value:.9e}").parse().unwrap_or(value))
+}

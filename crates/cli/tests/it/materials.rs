@@ -1,0 +1,159 @@
+//! `restitution material` and `restitution fit`: what they print and what they refuse.
+
+use crate::support::{fail, succeed};
+use std::fs;
+
+const ICE: &str = "material --young 9.4GPa --poisson 0.33 --density 917kg/m3 --radius 2.75cm";
+
+/// The value of a quantity, by its symbol, in a table printed as CSV.
+fn value(csv: &str, symbol: &str) -> f64 {
+    let mut rows = csv.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let header = rows.next().unwrap();
+    let column = |name: &str| header.iter().position(|cell| *cell == name).unwrap();
+    let (symbols, values) = (column("symbol"), column("value"));
+    let row = rows.find(|row| row[symbols] == symbol).unwrap_or_else(|| panic!("no {symbol} in {csv}"));
+    row[values].parse().unwrap()
+}
+
+#[test]
+fn a_measured_pair_comes_back() {
+    let out = succeed(&format!("{ICE} --measured 1cm/s,0.5 --velocity 1cm/s --format csv"));
+    assert_eq!(value(&out, "epsilon"), 0.5);
+    let a = value(&out, "A");
+    let again = succeed(&format!("{ICE} --dissipative-constant {a} --velocity 0.01 --format csv"));
+    assert!((value(&again, "epsilon") - 0.5).abs() < 1e-9);
+    assert!((value(&again, "g*") / value(&out, "g*") - 1.0).abs() < 1e-8);
+}
+
+#[test]
+fn a_code_comes_back() {
+    let wanted = value(
+        &succeed(&format!("{ICE} --g-star 1cm/s --velocity 1cm/s --end zero-force --format csv")),
+        "epsilon",
+    );
+    let bodies = "--radius 2.75cm --density 917kg/m3 --velocity 1cm/s --format csv";
+    let words = |code: &str, extra: &str| {
+        let text = succeed(&format!("{ICE} --g-star 1cm/s --code {code} {extra}"));
+        text.split(|c: char| c.is_whitespace() || ",()=;".contains(c)).map(str::to_owned).collect::<Vec<_>>()
+    };
+    let back = |code: &str, input: String| {
+        let out = succeed(&format!("material --from-code {code} --input {input} {bodies}"));
+        assert!((value(&out, "epsilon") - wanted).abs() < 1e-9, "{code}: {out}");
+    };
+    let lammps = words("lammps", "--end zero-force");
+    back("lammps", format!("k_n={},eta_n0={},limit_damping", lammps[6], lammps[7]));
+    let esys = words("esys", "");
+    back("esys", format!("A={},E={},nu={}", esys[5], esys[8], esys[11]));
+    let mercury = words("mercury", "");
+    back("mercury", format!("effectiveElasticModulus={},dissipation={}", mercury[1], mercury[5]));
+    let yade = words("yade", "--velocity 1cm/s");
+    let at = |name: &str| yade.iter().position(|word| word == name).unwrap() + 1;
+    back("yade", format!("en={},vn={},young=9.4e9,poisson=0.33", yade[at("en")], yade[at("vn")]));
+}
+
+#[test]
+fn wrong_materials_are_named_with_their_remedy() {
+    let cases = [
+        ("material", "give --radius"),
+        ("material --young 9GPa --poisson 0.3 --density 900 --radius -1cm", "give a positive number"),
+        ("material --young 9GPa --poisson 0.5 --density 900 --radius 1cm", "less than 1/2"),
+        ("material --young 9GPa --poisson -1 --density 900 --radius 1cm", "greater than -1"),
+        ("material --young 9cm --poisson 0.3 --density 900 --radius 1cm", "'9cm' is a length, not a modulus"),
+        (
+            "material --young 9GPa --poisson 0.3 --density 900 --radius 1cm --velocity 1",
+            "give --dissipative-constant",
+        ),
+        (
+            "material --young 9GPa --poisson 0.3 --density 900 --radius 1cm --g-star 1 --error 1e-3",
+            "give --velocity",
+        ),
+        (
+            "material --young 9GPa --poisson 0.3 --density 900 --radius 1cm --g-star 1 --velocity 1 2cm/s",
+            "give the unit with every value",
+        ),
+        (
+            "material --young 9GPa --poisson 0.3 --density 900 --radius 1cm --measured 1,1.2",
+            "strictly between 0 and 1",
+        ),
+        ("material --young 9GPa --poisson 0.3 --density 900 --radius 1cm --measured 0.5", "velocity,epsilon"),
+        (
+            "material --young 9GPa --poisson 0.3 --density 900 --radius 1cm --measured 1,0.5 --g-star 1",
+            "cannot be used with",
+        ),
+        (
+            "material --young 9GPa --poisson 0.3 --density 900 --radius 1cm --eta1 1 --eta2 1",
+            "give --formula",
+        ),
+        (
+            "material --young 9GPa --poisson 0 --density 900 --radius 1cm --eta1 1 --eta2 1 --formula eq4",
+            "use the formula of 2015",
+        ),
+        (
+            "material --young 9GPa --poisson 0.3 --density 900 --radius 1cm --dissipative-constant 1us --young2 1GPa",
+            "give --dissipative-constant2",
+        ),
+        (
+            "material --young 9GPa --poisson 0.3 --density 900 --radius 1cm --g-star 1 --code yade --end zero-compression",
+            "ask for zero force",
+        ),
+        (
+            "material --young 9GPa --poisson 0.3 --density 900 --radius 1cm --g-star 1 --code yade",
+            "give one --velocity",
+        ),
+        (
+            "material --young 9GPa --poisson 0.3 --density 900 --radius 1cm --g-star 1 --code lammps --format csv",
+            "leave --format out",
+        ),
+        ("material --from-code lammps --input kn=1", "give KEY=VALUE with keys of k_n"),
+        ("material --from-code lammps --input k_n=1,k_n=2", "give it once"),
+        ("material --from-code lammps --input k_n=1 --radius 1 --density 1", "the input has no eta_n0"),
+        (
+            "material --from-code lammps --input k_n=x,eta_n0=1 --radius 1 --density 1",
+            "k_n: 'x' is not a number",
+        ),
+        (
+            "material --from-code liggghts --input kn=1,gamman=1,limitForce=maybe --radius 1 --density 1",
+            "neither on nor off",
+        ),
+        ("material --from-code lammps", "--input"),
+    ];
+    for (line, remedy) in cases {
+        let (code, message) = fail(line);
+        assert_eq!(code, 2, "{line}: {message}");
+        assert!(message.contains(remedy), "{line}: {message}");
+    }
+}
+
+#[test]
+fn the_ice_of_the_paper_is_fitted() {
+    let data = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/data/ice_bridges.csv");
+    let out = succeed(&format!("fit {data}"));
+    assert!(out.contains("cm/s") && out.contains("run together"), "{out}");
+    let residuals = succeed(&format!("fit {data} --table residuals --format csv"));
+    assert_eq!(residuals.lines().count(), 29);
+    assert!(residuals.starts_with("line,velocity,epsilon,fitted,residual\n4,0.01,0.94,"), "{residuals}");
+}
+
+#[test]
+fn wrong_tables_are_named_with_their_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("data.csv");
+    let refused = |content: &[u8], code: i32, part: &str| {
+        fs::write(&path, content).unwrap();
+        let (exit, message) = fail(&format!("fit {}", path.display()));
+        assert!(message.contains(part), "{message}");
+        assert_eq!(exit, code, "{message}");
+    };
+    refused(b"g,epsilon\n\n1,0.5\n2,\n", 2, "line 4: the coefficient is blank");
+    refused(b"g,epsilon\n1,NaN\n", 2, "line 2: the coefficient 'NaN' is not a number");
+    refused(b"1,0.5\n", 2, "line 1: there are numbers where the header should be");
+    refused(b"\xff\xfe\n", 2, "is not text");
+    refused(b"", 2, "is empty");
+    refused(b"g,epsilon\n1,0.5\n", 1, "there are 1: invert a single pair instead");
+    refused(b"g,epsilon\n1,0.5\n1,0.6\n", 1, "average them");
+    refused(b"g,epsilon\n1,1\n2,1.01\n", 1, "no damping can be seen");
+    let (code, message) = fail("fit /no/such/file.csv");
+    assert!(code == 2 && message.contains("no such file"), "{message}");
+    let (code, message) = fail("fit x --velocity-unit kg");
+    assert!(code == 2 && message.contains("is a mass, not a velocity"), "{message}");
+}
