@@ -157,3 +157,24 @@ fn wrong_tables_are_named_with_their_line() {
     let (code, message) = fail("fit x --velocity-unit kg");
     assert!(code == 2 && message.contains("is a mass, not a velocity"), "{message}");
 }
+
+/// The commands of a document's console blocks and what it says they print.
+fn console_blocks(text: &str) -> Vec<(&str, &str)> {
+    let blocks = text.split("```console\n$ ").skip(1).map(|rest| rest.split("```").next().unwrap());
+    blocks.map(|block| block.split_once('\n').unwrap()).collect()
+}
+
+#[test]
+fn documents_show_what_the_command_prints() {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let text = fs::read_to_string(format!("{root}/docs/materials.md")).unwrap();
+    let blocks = console_blocks(&text);
+    assert_eq!(blocks.len(), 3);
+    for (line, printed) in blocks {
+        let line = line
+            .strip_prefix("restitution ")
+            .unwrap()
+            .replace("examples/data", &format!("{root}/examples/data"));
+        assert_eq!(succeed(&line), printed);
+    }
+}
