@@ -189,7 +189,7 @@ fn as_many_terms_as_are_asked_for_suffice() {
 
 #[test]
 fn laws_at_the_edge_are_bounded_or_refused() {
-    for text in ["1,0", "1001/1000,0", "3/2,-99/100", "1/10,0", "3,2", "5,4", "3/2,7"] {
+    for text in ["1,0", "1001/1000,0", "3/2,-99/100", "1/500000,-499999/500000", "3,2", "5,4", "3/2,7"] {
         let law = law(text);
         let bound = TailBound::find(&law, 2).expect("a bound");
         assert!(bound.ratio() > 1.0, "{text}");
@@ -198,7 +198,7 @@ fn laws_at_the_edge_are_bounded_or_refused() {
         assert!(least >= 1.0, "{text}: bound/truth falls to {least}");
     }
     let error = TailBound::find(&law("100000,1"), 1).expect_err("no bound");
-    insta::assert_snapshot!(error.to_string(), @"no convergence beyond the turning point could be proved for the law 100000,1 with 320 leading terms: choose an elastic exponent A nearer to 3/2");
+    insta::assert_snapshot!(error.to_string(), @"no convergence beyond the turning point could be proved for the law 100000,1 with 320 leading terms: choose exponents A,GAMMA nearer to 3/2,1/2");
 }
 
 #[test]

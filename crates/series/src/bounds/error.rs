@@ -5,7 +5,7 @@ pub enum BoundError {
     /// No disc that reaches beyond the turning point passed the test of the theorem.
     #[error(
         "no convergence beyond the turning point could be proved for the law {law} with {terms} leading terms: \
-         choose an elastic exponent A nearer to 3/2"
+         choose exponents A,GAMMA nearer to 3/2,1/2"
     )]
     TurningPointNotReached {
         /// The law, as `A,GAMMA`.

@@ -56,8 +56,8 @@ pub struct TailBound {
 impl TailBound {
     /// Finds bounds for the orders `0..=damping_order` of a law.
     ///
-    /// Cost: the head takes about `N^2 J^2` operations on 64-bit balls with `J = 40` leading terms, or
-    /// more for laws with large `a`; the search a few hundred passes over it.
+    /// Cost: that of the trajectories to `J = 40` terms at 184 bits, or more terms for laws with large
+    /// `a`, and a few hundred passes over them: 31 ms for spheres and `N = 12`, 0.17 s for `N = 100`.
     ///
     /// # Errors
     ///
