@@ -1,5 +1,5 @@
-use crate::SeriesError;
-use crate::expansion::{Effort, expand};
+use crate::expansion::{Expansion, damping_order_for, expand};
+use crate::{SeriesError, TailBound};
 use num_traits::One;
 use restitution_law::ForceLaw;
 use restitution_real::{Ball, RealError};
@@ -63,11 +63,15 @@ pub fn coefficients_watched(
 ) -> Result<Vec<Ball>, SeriesError> {
     let wanted = bits_of(digits) + 8;
     let mut spare = BITS_PER_ORDER * order + 40;
+    let tail = TailBound::find(law, damping_order_for(quantity, order))?;
     loop {
         let bits = u32::try_from(wanted + spare).ok().filter(|&bits| bits <= MAX_BITS);
         let exhausted = RealError::PrecisionExhausted { digits, reached_bits: MAX_BITS };
         let bits = bits.ok_or(SeriesError::Real(exhausted))?;
-        let values = attempt(quantity, law, order, bits, watch)?;
+        // The tail is not magnified on its way to the sums, so it may take up half of what is to spare.
+        let tail_bits = bits - u32::try_from(spare / 2).unwrap_or(0);
+        let expansion = expand(law, order, bits, (&tail, tail_bits), watch)?;
+        let values = expansion.select(quantity);
         let missing = values.iter().filter(|v| v.to_digits(digits).is_none());
         let Some(missing) = missing.map(|v| shortfall(v, wanted)).max() else { return Ok(values) };
         eprintln!("bits {bits} missing {missing}");
@@ -75,20 +79,14 @@ pub fn coefficients_watched(
     }
 }
 
-fn attempt(
-    quantity: Quantity,
-    law: &ForceLaw,
-    order: usize,
-    bits: u32,
-    watch: &mut dyn FnMut(usize),
-) -> Result<Vec<Ball>, SeriesError> {
-    let terms = (f64::from(bits) / 2.45) as usize + order + 10;
-    let expansion = expand(law, order, Effort { bits, terms }, watch)?;
-    Ok(match quantity {
-        Quantity::Compression => expansion.compression,
-        Quantity::Restitution => expansion.restitution,
-        Quantity::ScaledRestitution => scaled(&expansion.restitution),
-    })
+impl Expansion {
+    fn select(self, quantity: Quantity) -> Vec<Ball> {
+        match quantity {
+            Quantity::Compression => self.compression,
+            Quantity::Restitution => self.restitution,
+            Quantity::ScaledRestitution => scaled(&self.restitution),
+        }
+    }
 }
 
 /// `a_k = C_k/C_1^k`.

@@ -55,6 +55,9 @@ pub enum SeriesError {
     /// A certified number could not be given.
     #[error(transparent)]
     Real(#[from] restitution_real::RealError),
+    /// The sums at the turning point could not be bounded.
+    #[error(transparent)]
+    Bound(#[from] crate::BoundError),
     /// A damping order that was not computed was asked for.
     #[error("order {asked} in the damping was asked for, but only orders up to {known} were computed")]
     BeyondDampingOrder {
