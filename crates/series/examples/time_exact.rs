@@ -4,7 +4,7 @@
 
 use num_rational::BigRational;
 use restitution_law::ForceLaw;
-use restitution_series::{Trajectories, Units};
+use restitution_series::Trajectories;
 use std::io::Write;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -12,7 +12,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let [order, last] = sizes[..] else { return Err("usage: time_exact N J".into()) };
     let start = std::time::Instant::now();
     let law = ForceLaw::viscoelastic_spheres();
-    let trajectories = Trajectories::<BigRational>::derive(&law, order, last + 1, &Units::natural());
+    let trajectories = Trajectories::exact(&law, order, last + 1);
     println!("{}", start.elapsed().as_secs_f64());
     print(&trajectories)?;
     Ok(())

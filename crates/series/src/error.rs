@@ -52,6 +52,14 @@ pub enum SeriesError {
         /// The first unknown exponent.
         order: Ratio<i64>,
     },
+    /// The contact of this law does not end at zero force.
+    #[error(
+        "with the law {law} the force vanishes at no small compression: the zero-force end needs A > GAMMA"
+    )]
+    NoZeroForceEnd {
+        /// The law, as A,GAMMA.
+        law: String,
+    },
     /// A certified number could not be given.
     #[error(transparent)]
     Real(#[from] restitution_real::RealError),

@@ -7,7 +7,7 @@ use crate::progress::Progress;
 use crate::{Cell, CliError, OutputArgs, Table, memory};
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, Signed, ToPrimitive};
-use restitution_series::{Trajectories, Units};
+use restitution_series::Trajectories;
 
 /// The largest power of time that is accepted.
 const LARGEST_TIME_ORDER: i64 = 1_000_000;
@@ -37,11 +37,9 @@ impl TrajectoryArgs {
         self.output.check()?;
         let terms = self.terms();
         memory::require(self.memory_estimate(terms), "lower --damping-order or --time-order")?;
-        let progress = Progress::steps("x_n", self.damping_order as u64);
-        let watch = &mut |n: usize| progress.set(n as u64);
-        let (law, order) = (&self.law.law, self.damping_order);
-        let trajectories =
-            Trajectories::<BigRational>::derive_watched(law, order, terms, &Units::natural(), watch);
+        let progress = Progress::steps("primes", 1000);
+        let watch = |share: Ratio<usize>| progress.set((share.numer() * 1000 / share.denom()) as u64);
+        let trajectories = Trajectories::exact_watched(&self.law.law, self.damping_order, terms, &watch);
         drop(progress);
         match self.output.format {
             Format::Text => self.output.target.write(&self.series(&trajectories)?),
