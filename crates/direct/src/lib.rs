@@ -21,6 +21,7 @@ mod saturation;
 mod stepper;
 mod turning;
 mod turning_arc;
+mod turning_series;
 mod zero_force;
 
 pub use collision::Collision;

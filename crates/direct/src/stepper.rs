@@ -44,6 +44,9 @@ impl Stepper {
                 break;
             }
             let length = self.length.min(limit);
+            if !length.is_normal() {
+                break;
+            }
             if let Some((reached, slope)) = attempt(length) {
                 let factor = (0.9 * (slope - self.wanted).exp2()).clamp(0.3, 3.0);
                 self.length = length * factor;

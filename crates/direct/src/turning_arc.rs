@@ -2,184 +2,163 @@
 
 use crate::envelope::{Envelope, upper_half};
 use crate::field::Field;
-use crate::fixed::{
-    BOUND_BITS, from_fixed, inner_products, lower_bound, power_of_two, size, to_fixed, unit, upper_bound,
-};
+use crate::fixed::{BOUND_BITS, from_fixed, lower_bound, power_of_two, size, to_fixed, unit, upper_bound};
 use crate::phase_arc::{lower_is_within, zero};
+use crate::turning_series::{Problem, Series};
 use num_rational::BigRational;
+use num_traits::Signed;
 use restitution_real::Ball;
-use restitution_real::convert::rug_integer;
-use rug::{Float, Integer};
+use rug::Float;
 
 /// A point near the turning point: `v` is exact, the true potential energy is near `y`.
-///
-/// `energy` bounds the difference of `F(y, v) = y + u v x^(gamma+1)/(gamma+1)` from its true value.
 #[derive(Clone, Debug)]
 pub(crate) struct TurningPoint {
     pub(crate) v: Float,
     pub(crate) y: Float,
+    /// Bound of the error of `F(y, v) = y + u v x^(gamma+1)/(gamma+1)`.
     pub(crate) energy: Ball,
-    /// The bound of the difference of `y` itself.
+    /// Bound of the error of `y` itself.
     pub(crate) spread: Ball,
 }
 
 /// What the step from one velocity to the next gives.
 pub(crate) struct TurningStep {
     pub(crate) reached: TurningPoint,
+    /// Bits lost per degree, which tells how long the next step may be.
     pub(crate) slope: f64,
-    /// A lower bound of `1 + u v x^(gamma-a)` along the step.
+    /// A lower bound of `1 + v K` along the step, below 1 on the way out.
     pub(crate) least_force: Ball,
 }
 
-/// The damping over the elastic force per unit velocity, `K = u x^(gamma-a)`, at potential `y`.
+/// Damping over elastic force per unit of velocity, `K = u x^(gamma-a)`, at potential energy `y`.
 pub(crate) fn friction_ratio(field: &Field, y: &Ball) -> Ball {
     let power = -(field.law.a() - field.law.gamma()) / field.law.elastic_step();
     &field.u * (y * field.rational(&field.law.elastic_step())).pow(&power)
 }
 
-/// The integers of one step: `y`, `K`, the product series `K y'`.
-struct Series {
-    y: Vec<Integer>,
-    ratio: Vec<Integer>,
-    product: Vec<Integer>,
+/// Follows the motion from `from` to the velocity `end < from.v`; `None` if the step is too long to prove.
+///
+/// ```text
+/// (1 + v K) dy/dv = -v,    d(y K)/dv = (1 - c) K dy/dv,    c = (a - gamma)/(a + 1)
+/// ```
+///
+/// The remainder is that of docs/direct-integration.md, Prop. 3.
+pub(crate) fn follow(field: &Field, from: &TurningPoint, end: &Float) -> Option<TurningStep> {
+    let problem = Problem::pose(field, from, end)?;
+    let series = problem.solve(field)?;
+    let range = Range::of(field, &problem, &series)?;
+    let (defect, slope) = defect(field, &problem, &series, &range)?;
+
+    let start_energy = upper_bound(&(from.energy.with_prec(BOUND_BITS) * power_of_two(-problem.scale)));
+    let along = upper_bound(&(&start_energy + &defect));
+    // The polynomial's neighbourhood in which the force was bounded must hold the motion.
+    if !(&range.room * &range.least_force - &along).is_positive() {
+        return None;
+    }
+    let energy = upper_bound(&(start_energy * range.decay + defect));
+    let (y, rounding) = series.end(field.prec);
+    let unscale = power_of_two(problem.scale);
+    let reached = TurningPoint {
+        v: end.clone(),
+        y: y.shifted(i32::try_from(problem.scale).ok()?).mid().clone(),
+        energy: upper_bound(&((&energy + &rounding * range.greatest_force) * &unscale)),
+        spread: upper_bound(&((energy / &range.least_force + rounding) * unscale)),
+    };
+    Some(TurningStep { reached, slope, least_force: range.least_force })
 }
 
-/// Follows `y' (1 + v K) = -h v`, `(y K)' = (1-c) K y'` from `from` to the velocity `end < from.v`.
-///
-/// `1 - c = (gamma + 1)/(a + 1)`. `None` if the step is too long to be proved (Prop. 3).
-pub(crate) fn follow(field: &Field, from: &TurningPoint, end: &Float) -> Option<TurningStep> {
-    let (bits, order) = (field.prec, field.order);
-    let exact = |x: &Float| Ball::exact(x.clone());
-    let h = exact(&Float::with_val(2 * bits + 64, end - &from.v));
-    let velocity_scale = i64::from(from.v.get_exp().unwrap_or(i32::MIN).max(h.mid().get_exp()?));
-    let scale = i64::from(from.y.get_exp()?);
-    let shift = |n: i64| i32::try_from(n).ok();
-    let unexpected = &mut zero();
-    let v_fixed = to_fixed(&exact(&from.v).shifted(shift(-velocity_scale)?), bits, unexpected);
-    let h_fixed = to_fixed(&h.shifted(shift(-velocity_scale)?), bits, unexpected);
-    if !unexpected.is_exact() || !unexpected.mid().is_zero() {
-        return None;
-    }
-    let mut right_error = zero();
-    let right = [
-        to_fixed(&(-(&h * exact(&from.v)).with_prec(bits)).shifted(shift(-scale)?), bits, &mut right_error),
-        to_fixed(&(-(&h * &h).with_prec(bits)).shifted(shift(-scale)?), bits, &mut right_error),
-    ];
-    let start_ratio = friction_ratio(field, &exact(&from.y).with_prec(bits));
-    let mut ratio_error = zero();
-    let ratio = to_fixed(&start_ratio.shifted(shift(velocity_scale)?), bits, &mut ratio_error);
-    let y = to_fixed(&exact(&from.y).shifted(shift(-scale)?), bits, unexpected);
-    let one_minus_c = field.law.damping_step() / field.law.elastic_step();
-    let series = taylor(&v_fixed, &h_fixed, &right, y, ratio, &one_minus_c, field)?;
+/// What the functions of a step can be at most and at least, in units of its scales.
+struct Range {
+    /// The part of `y` that changes, `Sum_(k>0) |y_k|`.
+    change: Ball,
+    /// A lower bound of the polynomial.
+    lowest: Ball,
+    /// How far from the polynomial the bounds of `K` still hold.
+    room: Ball,
+    /// `(y/y')^|c|` at most, for two values of the polynomial.
+    bend: Ball,
+    least_force: Ball,
+    greatest_force: Ball,
+    /// How much of the error's energy is kept at most.
+    decay: Ball,
+}
 
-    // Bounds, all in units of the two scales.
-    let one = Ball::from_integer(1, BOUND_BITS);
-    let n = |k: usize| Ball::from_integer(i64::try_from(k).unwrap_or(i64::MAX), BOUND_BITS);
-    let change = size(&series.y[1..], bits);
-    let y_start = from_fixed(&series.y[0], bits, BOUND_BITS);
-    let lowest = lower_bound(&(&y_start - &change));
-    if !lowest.is_positive() {
-        return None;
+impl Range {
+    fn of(field: &Field, problem: &Problem, series: &Series) -> Option<Self> {
+        let bits = field.prec;
+        let change = size(&series.y[1..], bits);
+        let start = from_fixed(&series.y[0], bits, BOUND_BITS);
+        let lowest = lower_bound(&(&start - &change));
+        if !lowest.is_positive() {
+            return None;
+        }
+        let room = lowest.shifted(-6);
+        let c = exponent(field).abs();
+        let bend = upper_bound(&((&start + &change) / &lowest).pow(&c));
+        let wide = upper_bound(&((&start + &change + &room) / (&lowest - &room)).pow(&c));
+        let ratio = from_fixed(&series.ratio[0], bits, BOUND_BITS);
+        let (most, least) = (upper_bound(&(&ratio * &wide)), lower_bound(&(ratio / wide)));
+        let one = Ball::from_integer(1, BOUND_BITS);
+        let part = |v: &Float| {
+            let scaled = Ball::exact(v.clone()).shifted(i32::try_from(-problem.velocity_scale).unwrap_or(0));
+            upper_bound(&scaled.with_prec(BOUND_BITS))
+        };
+        let (inward, outward) =
+            (positive(part(&problem.start_v)), positive(upper_bound(&-part(&problem.end_v))));
+        let least_force = lower_bound(&(&one - outward * &most));
+        let greatest_force = upper_bound(&(&one + inward * &most));
+        let rate = lower_bound(&(problem.length() * least / &greatest_force));
+        least_force.is_positive().then(|| Self {
+            change,
+            lowest,
+            room,
+            bend,
+            least_force,
+            greatest_force,
+            decay: upper_bound(&(-rate).exp()),
+        })
     }
+}
+
+/// `Int |defect|` of the step and the decay of its coefficients; `None` if too much was cut off.
+fn defect(field: &Field, problem: &Problem, series: &Series, range: &Range) -> Option<(Ball, f64)> {
+    let (bits, order) = (field.prec, field.order);
     let slope = Envelope::tightest(&series.y, bits).slope.min(Envelope::tightest(&series.ratio, bits).slope);
-    let (env_y, env_ratio) =
-        (Envelope::with_slope(&series.y, bits, slope), Envelope::with_slope(&series.ratio, bits, slope));
-    let tail = upper_half(env_y, env_ratio, order);
+    let in_y = Envelope::with_slope(&series.y, bits, slope);
+    let in_ratio = Envelope::with_slope(&series.ratio, bits, slope);
+    let tail = upper_half(in_y, in_ratio, order);
     let last = size(&series.product[order - 1..], bits);
     if !lower_is_within(&(&tail + &last), bits) {
         return None;
     }
-    // Prop. 3 (i): the defect of the equation of motion with the computed K.
-    let start_force =
-        &one + from_fixed(&v_fixed, bits, BOUND_BITS) * from_fixed(&series.ratio[0], bits, BOUND_BITS);
+    let n = Ball::from_integer(i64::try_from(order).ok()?, BOUND_BITS);
+    let one = Ball::from_integer(1, BOUND_BITS);
+    let start = from_fixed(&series.y[0], bits, BOUND_BITS);
+    // (i) the equation of motion with the computed K
+    let start_force = from_fixed(&series.force, bits, BOUND_BITS) + unit(bits);
     let rounding =
-        unit(bits) * (n(order) * (start_force.abs() + Ball::from_integer(3, BOUND_BITS)) + &change + &one);
-    let motion = rounding + right_error + tail.shifted(1) + last + unit(bits);
-    // (ii): the distance of the computed K from the true power of the polynomial y.
-    let power = unit(bits) * n(order) * (&y_start + &one)
-        + &tail * (&one + field.rational(&one_minus_c).with_prec(BOUND_BITS));
-    let c = one_minus_c - BigRational::from_integer(1.into());
-    let bend = upper_bound(&((&y_start + &change) / &lowest).pow(&abs(&c)));
-    let ratio_off = upper_bound(&(&bend * (ratio_error + power / &lowest)));
-    let defect = upper_bound(&(motion + ratio_off.shifted(1) * &change));
-    // (iii): the force keeps its sign, so the error only shrinks but for the defect.
-    let start_energy = upper_bound(&(from.energy.with_prec(BOUND_BITS) * power_of_two(-scale)));
-    let energy = upper_bound(&(&start_energy + &defect));
-    let widest = |y: &Ball| upper_bound(&(from_fixed(&series.ratio[0], bits, BOUND_BITS) * y));
-    // K over all potentials within a quarter of the lowest one around the polynomial's range.
-    let room = lowest.shifted(-2);
-    let spread_ratio = (&y_start + &change + &room) / (&lowest - &room);
-    let largest_ratio = widest(&upper_bound(&spread_ratio.pow(&abs(&c))));
-    let fastest_out = -exact(end).shifted(shift(-velocity_scale)?).with_prec(BOUND_BITS);
-    let least_force = if fastest_out.is_positive() {
-        lower_bound(&(&one - upper_bound(&fastest_out) * &largest_ratio))
-    } else {
-        one.clone()
-    };
-    if !least_force.is_positive() {
-        return None;
-    }
-    let spread = upper_bound(&(&energy / &least_force));
-    if (&spread - &room).is_positive() || !spread.is_finite() {
-        return None;
-    }
-    let sum: Integer = series.y.iter().sum();
-    let y = from_fixed(&sum, bits, bits);
-    let rounding = Ball::exact(y.rad().clone());
-    let unscale = power_of_two(scale);
-    let greatest_force = &one + upper_bound(&largest_ratio).shifted(1);
-    let reached = TurningPoint {
-        v: end.clone(),
-        y: y.shifted(shift(scale)?).mid().clone(),
-        energy: upper_bound(&((energy + &rounding * greatest_force) * &unscale)),
-        spread: upper_bound(&((spread + rounding) * unscale)),
-    };
-    Some(TurningStep {
-        reached,
-        slope: env_y.decay_seen(order).min(env_ratio.decay_seen(order)),
-        least_force,
-    })
+        unit(bits) * (&n * (start_force + Ball::from_integer(3, BOUND_BITS)) + &range.change + &one);
+    let motion = rounding + &problem.right_error + tail.shifted(1) + last + unit(bits);
+    // (ii) the distance of the computed K from the true power of the polynomial
+    let weight = &one + field.rational(&problem.one_minus_c).with_prec(BOUND_BITS);
+    let power = unit(bits) * n * (start + one) + tail * weight;
+    let ratio_off = &range.bend * (&problem.ratio_error + power / &range.lowest);
+    let total = motion + ratio_off.shifted(1) * &range.change;
+    Some((upper_bound(&total), in_y.decay_seen(order).min(in_ratio.decay_seen(order))))
 }
 
-fn abs(q: &BigRational) -> BigRational {
-    num_traits::Signed::abs(q)
+/// `c = (a - gamma)/(a + 1)`.
+fn exponent(field: &Field) -> BigRational {
+    (field.law.a() - field.law.gamma()) / field.law.elastic_step()
 }
 
-/// Solves the two relations for the coefficients in turn; each division truncates.
-fn taylor(
-    v: &Integer,
-    h: &Integer,
-    right: &[Integer; 2],
-    y: Integer,
-    ratio: Integer,
-    one_minus_c: &BigRational,
-    field: &Field,
-) -> Option<Series> {
-    let (bits, order) = (field.prec, field.order);
-    let (top, bottom) = (rug_integer(one_minus_c.numer()), rug_integer(one_minus_c.denom()));
-    let force = (Integer::from(1) << bits) + (Integer::from(v * &ratio) >> bits);
-    if force <= 0 {
-        return None;
-    }
-    let weighted = Integer::from(&bottom * &y);
-    let mut s = Series { y: vec![y], ratio: vec![ratio], product: Vec::with_capacity(order) };
-    let mut derivative = vec![Integer::new()];
-    for k in 1..=order {
-        let known = inner_products(&derivative, &s.ratio, k);
-        let mut side = right.get(k - 1).map_or_else(Integer::new, |r| Integer::from(r << bits));
-        if k >= 2 {
-            side -= h * &s.product[k - 2];
-        }
-        side -= v * Integer::from(&known >> bits);
-        let coefficient = side / Integer::from(&force * k as u64);
-        derivative.push(Integer::from(&coefficient * k as u64));
-        s.y.push(coefficient);
-        let product = known + &derivative[k] * &s.ratio[0];
-        s.product.push(Integer::from(&product >> bits));
-        let mut rest = inner_products(&s.y, &s.ratio, k) + &s.y[k] * &s.ratio[0];
-        rest *= &bottom;
-        rest *= k as u64;
-        s.ratio.push((product * &top - rest) / Integer::from(&weighted * k as u64));
-    }
-    Some(s)
+fn positive(bound: Ball) -> Ball {
+    if bound.is_positive() { bound } else { zero() }
+}
+
+/// Rounds to fixed point where nothing may be lost; `None` if something would be.
+pub(crate) fn exact_fixed(ball: &Ball, bits: u32) -> Option<rug::Integer> {
+    let mut lost = zero();
+    let value = to_fixed(ball, bits, &mut lost);
+    (lost.is_exact() && lost.mid().is_zero()).then_some(value)
 }

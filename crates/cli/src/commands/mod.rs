@@ -14,6 +14,7 @@
 //! 4. Tests in `crates/cli/tests/it/`, with one wrong input of each kind, and a line in the README.
 
 pub mod completions;
+pub mod epsilon;
 pub mod fit;
 pub mod material;
 pub mod table;
@@ -39,6 +40,8 @@ pub enum Command {
     Table(table::TableArgs),
     /// Print the trajectory as exact power series in time
     Trajectory(trajectory::TrajectoryArgs),
+    /// Print coefficients of restitution by certified direct integration
+    Epsilon(Box<epsilon::EpsilonArgs>),
     /// Write the completions of a shell, or the manual page
     Completions(completions::CompletionsArgs),
     /// Fit the characteristic velocity g* to measured coefficients of restitution
@@ -67,6 +70,7 @@ impl Command {
         match self {
             Self::Table(args) => args.run(),
             Self::Trajectory(args) => args.run(),
+            Self::Epsilon(args) => args.run(),
             Self::Completions(args) => args.run(),
             Self::Fit(args) => args.run(),
             Self::Material(args) => args.run(),

@@ -1,0 +1,159 @@
+//! `restitution epsilon`: the coefficient of restitution by certified direct integration.
+
+mod damping;
+
+use crate::args::{EndArgs, EndOfContact, LawArgs, count};
+use crate::exact::{Exact, at_least_zero};
+use crate::progress::Progress;
+use crate::units::{self, Quantity};
+use crate::{Cell, CliError, OutputArgs, Table};
+use damping::{DampingArgs, Source};
+use rayon::prelude::*;
+use restitution_direct::{Collision, DirectError, End, saturation_radius, saturation_speed};
+use restitution_real::Ball;
+
+/// The largest number of digits that is accepted: 1000 take minutes.
+const LARGEST_DIGITS: usize = 10_000;
+
+/// Arguments of `restitution epsilon`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:\n  restitution epsilon --u 0.1,1,8 --digits 30\n  \
+    restitution epsilon --velocity 1cm/s,10cm/s --g-star 0.32cm/s --end zero-force\n  \
+    restitution epsilon --u 1e-12 --quantity loss\n  restitution epsilon --saturation --digits 50")]
+pub struct EpsilonArgs {
+    /// Dampings u of x'' + u x^GAMMA x' + x^A = 0 with x'(0) = 1, separated by commas
+    #[arg(long, value_name = "U", value_delimiter = ',', num_args = 1.., value_parser = at_least_zero, required_unless_present_any = ["velocity", "saturation"])]
+    u: Vec<Exact>,
+    /// Impact velocities such as 0.5cm/s, with --g-star or a material
+    #[arg(long, value_name = "G", value_delimiter = ',', num_args = 1.., value_parser = units::velocity, conflicts_with = "u", requires = "damping")]
+    velocity: Vec<Quantity>,
+    /// Print R = lim u epsilon^p and R^(1/p), the exit speed at unlimited velocity; p = 1/5 for spheres
+    #[arg(long, conflicts_with_all = ["u", "velocity", "end"])]
+    saturation: bool,
+    /// What is printed
+    #[arg(
+        long,
+        value_enum,
+        default_value_t,
+        hide_default_value = true,
+        value_name = "QUANTITY",
+        conflicts_with = "saturation"
+    )]
+    quantity: Printed,
+    /// Significant digits, all proved
+    #[arg(long, value_name = "D", default_value_t = 20, value_parser = digits)]
+    digits: usize,
+    #[command(flatten)]
+    damping: DampingArgs,
+    #[command(flatten)]
+    law: LawArgs,
+    #[command(flatten)]
+    end: EndArgs,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// What is printed of a collision.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+enum Printed {
+    /// The coefficient of restitution.
+    #[default]
+    Epsilon,
+    /// What is lost of the velocity, 1 - epsilon, to as many digits however small it is.
+    Loss,
+}
+
+fn digits(text: &str) -> Result<usize, String> {
+    count(text, "a number of digits", 1, LARGEST_DIGITS)
+}
+
+impl EpsilonArgs {
+    /// Integrates the collisions and prints the table.
+    ///
+    /// # Errors
+    ///
+    /// Usage where the law and the end of contact do not go together or the damping is incomplete,
+    /// failure where a coefficient does not exist or its digits cannot be proved.
+    pub fn run(&self) -> Result<(), CliError> {
+        self.output.check()?;
+        let table = if self.saturation { self.saturated()? } else { self.integrated()? };
+        self.output.print(&table)
+    }
+
+    fn integrated(&self) -> Result<Table, CliError> {
+        units::all_or_none(&self.velocity).map_err(CliError::usage)?;
+        let end = match self.end.end {
+            EndOfContact::ZeroCompression => End::ZeroCompression,
+            EndOfContact::ZeroForce => End::ZeroForce,
+        };
+        let collision = Collision::new(&self.law.law, end).map_err(usage)?;
+        let points = self.points()?;
+        let progress = Progress::steps("collisions", points.len() as u64);
+        let values: Result<Vec<String>, CliError> = points
+            .par_iter()
+            .map(|(_, source)| {
+                let value = self.value(&collision, source);
+                progress.advance(1);
+                value
+            })
+            .collect();
+        let values = values?;
+        let first = if self.velocity.is_empty() { "u" } else { "velocity" };
+        let second = if self.quantity == Printed::Epsilon { "epsilon" } else { "one_minus_epsilon" };
+        let mut table = Table::new(&[first, second]).titled(format!("Force law {}", self.law.law));
+        for ((name, _), value) in points.into_iter().zip(values) {
+            table.push(vec![Cell::Digits(name), Cell::Digits(value)]);
+        }
+        table.note("every digit is proved: direct integration with bounded remainders");
+        Ok(table)
+    }
+
+    /// What was asked for, as typed and as a damping to any precision.
+    fn points(&self) -> Result<Vec<(String, Source)>, CliError> {
+        if self.velocity.is_empty() {
+            let exact = |u: &Exact| (u.to_string(), Source::Exact(u.value().clone()));
+            return Ok(self.u.iter().map(exact).collect());
+        }
+        let from = |g: &Quantity| Ok((g.to_string(), self.damping.source(g, &self.law.law)?));
+        self.velocity.iter().map(from).collect()
+    }
+
+    fn value(&self, collision: &Collision, source: &Source) -> Result<String, CliError> {
+        let u = |prec| source.at(prec);
+        let ball = match self.quantity {
+            Printed::Epsilon => collision.epsilon_of(u, self.digits),
+            Printed::Loss => collision.one_minus_epsilon_of(u, self.digits),
+        };
+        self.shown(&ball.map_err(CliError::failure)?)
+    }
+
+    fn saturated(&self) -> Result<Table, CliError> {
+        let _progress = Progress::unknown("slow manifold");
+        let law = &self.law.law;
+        let mut table = Table::new(&["quantity", "value"]).titled(format!("Force law {law}"));
+        let radius = saturation_radius(law, self.digits).map_err(usage)?;
+        let speed = saturation_speed(law, self.digits).map_err(usage)?;
+        table.push(vec![Cell::text("R"), Cell::Digits(self.shown(&radius)?)]);
+        let power = law.velocity_exponent().recip();
+        let name = if power.is_integer() { format!("R^{power}") } else { format!("R^({power})") };
+        table.push(vec![Cell::text(name), Cell::Digits(self.shown(&speed)?)]);
+        table.note(format!("epsilon u^{power} -> R^{power} at unlimited velocity"));
+        Ok(table)
+    }
+
+    fn shown(&self, ball: &Ball) -> Result<String, CliError> {
+        let unproved =
+            || CliError::failure(format!("{} digits could not be proved: ask for fewer", self.digits));
+        ball.to_digits(self.digits).ok_or_else(unproved)
+    }
+}
+
+/// A request that no collision can meet is at fault itself; everything else is a failure.
+fn usage(error: DirectError) -> CliError {
+    match error {
+        DirectError::NoZeroForce { .. }
+        | DirectError::NoSaturation { .. }
+        | DirectError::SlowSaturation { .. } => CliError::usage(error),
+        _ => CliError::failure(error),
+    }
+}
