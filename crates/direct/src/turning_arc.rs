@@ -46,15 +46,9 @@ pub(crate) fn friction_ratio(field: &Field, y: &Ball) -> Ball {
 pub(crate) fn follow(field: &Field, from: &TurningPoint, end: &Float) -> Option<TurningStep> {
     let problem = Problem::pose(field, from, end)?;
     let series = problem.solve(field)?;
-    let range = Range::of(field, &problem, &series)?;
-    let (defect, slope) = defect(field, &problem, &series, &range)?;
-
     let start_energy = upper_bound(&(from.energy.with_prec(BOUND_BITS) * power_of_two(-problem.scale)));
-    let along = upper_bound(&(&start_energy + &defect));
-    // The polynomial's neighbourhood in which the force was bounded must hold the motion.
-    if !(&range.room * &range.least_force - &along).is_positive() {
-        return None;
-    }
+    let (range, defect, slope) =
+        ROOMS.iter().find_map(|&room| within(field, &problem, &series, &start_energy, room))?;
     let energy = upper_bound(&(start_energy * range.decay + defect));
     let (y, rounding) = series.end(field.prec);
     let unscale = power_of_two(problem.scale);
@@ -65,6 +59,23 @@ pub(crate) fn follow(field: &Field, from: &TurningPoint, end: &Float) -> Option<
         spread: upper_bound(&((energy / &range.least_force + rounding) * unscale)),
     };
     Some(TurningStep { reached, slope, least_force: range.least_force })
+}
+
+/// Binary logarithms of the neighbourhoods of the polynomial, relative to it, that are tried.
+const ROOMS: [i32; 2] = [-6, -2];
+
+/// The bounds of a step, if they hold in a neighbourhood that the motion does not leave.
+fn within(
+    field: &Field,
+    problem: &Problem,
+    series: &Series,
+    start_energy: &Ball,
+    room: i32,
+) -> Option<(Range, Ball, f64)> {
+    let range = Range::of(field, problem, series, room)?;
+    let (defect, slope) = defect(field, problem, series, &range)?;
+    let along = upper_bound(&(start_energy + &defect));
+    (&range.room * &range.least_force - along).is_positive().then_some((range, defect, slope))
 }
 
 /// What the functions of a step can be at most and at least, in units of its scales.
@@ -84,7 +95,7 @@ struct Range {
 }
 
 impl Range {
-    fn of(field: &Field, problem: &Problem, series: &Series) -> Option<Self> {
+    fn of(field: &Field, problem: &Problem, series: &Series, room: i32) -> Option<Self> {
         let bits = field.prec;
         let change = size(&series.y[1..], bits);
         let start = from_fixed(&series.y[0], bits, BOUND_BITS);
@@ -92,7 +103,7 @@ impl Range {
         if !lowest.is_positive() {
             return None;
         }
-        let room = lowest.shifted(-6);
+        let room = lowest.shifted(room);
         let c = exponent(field).abs();
         let bend = upper_bound(&((&start + &change) / &lowest).pow(&c));
         let wide = upper_bound(&((&start + &change + &room) / (&lowest - &room)).pow(&c));

@@ -1,5 +1,6 @@
 //! The command, run as its users run it; one binary.
 
+mod epsilon;
 mod materials;
 mod readme;
 mod shared;

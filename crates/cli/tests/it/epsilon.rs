@@ -1,8 +1,6 @@
 //! `restitution epsilon`: digits, velocities, wrong input.
 
-mod support;
-
-use support::{fail, succeed};
+use crate::support::{fail, succeed};
 
 #[test]
 fn epsilon_prints_proved_digits() {
