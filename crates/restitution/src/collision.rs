@@ -1,7 +1,7 @@
 //! A viscoelastic contact: Hertz's law and its dissipative constant.
 
 use crate::error::{at_least_zero, in_range, positive};
-use crate::{Contact, Course, End, MaterialError};
+use crate::{Contact, Course, End, MaterialError, Restitution, fifth_root};
 
 /// `-C_1`, the slope of `epsilon` at `u = 0` (eqs. A32, 31 of \[RPBS1999\]).
 pub(crate) const SLOPE: f64 = 1.153_448_858_095_288;
@@ -51,7 +51,7 @@ impl ViscoelasticContact {
     ///
     /// [`MaterialError::NotPositive`] or [`MaterialError::OutOfRange`].
     pub fn from_characteristic_velocity(contact: Contact, g_star: f64) -> Result<Self, MaterialError> {
-        let root = positive("characteristic velocity g*", g_star)?.powf(0.2);
+        let root = fifth_root(positive("characteristic velocity g*", g_star)?);
         Self::with_damping(contact, 1.0 / (SLOPE * root))
     }
 
@@ -69,7 +69,7 @@ impl ViscoelasticContact {
         epsilon: f64,
         end: End,
     ) -> Result<Self, MaterialError> {
-        let root = positive("velocity", velocity)?.powf(0.2);
+        let root = fifth_root(positive("velocity", velocity)?);
         Self::with_damping(contact, damping_of(epsilon, end)? / root)
     }
 
@@ -95,7 +95,7 @@ impl ViscoelasticContact {
     ///
     /// [`MaterialError::Negative`] for a velocity below zero, [`MaterialError::OutOfRange`].
     pub fn u(&self, velocity: f64) -> Result<f64, MaterialError> {
-        let u = 1.5 * self.a * self.contact.rate() * at_least_zero("velocity", velocity)?.powf(0.2);
+        let u = 1.5 * self.a * self.contact.rate() * fifth_root(at_least_zero("velocity", velocity)?);
         if u.is_finite() { Ok(u) } else { Err(MaterialError::OutOfRange { quantity: "damping parameter u" }) }
     }
 
@@ -125,6 +125,27 @@ impl ViscoelasticContact {
     /// As [`u`](Self::u).
     pub fn epsilon(&self, velocity: f64, end: End) -> Result<f64, MaterialError> {
         Ok(crate::epsilon(self.u(velocity)?, end))
+    }
+
+    /// The same as a function of velocity alone, for the inner loop of a simulation.
+    ///
+    /// NaN at every velocity if there is no damping.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution::{Contact, End, MaterialError, ViscoelasticContact};
+    ///
+    /// let pair = ViscoelasticContact::new(Contact::new(0.01, 0.1, 1e9)?, 1e-6)?;
+    /// let curve = pair.restitution(End::ZeroForce);
+    /// assert!((curve.epsilon(0.2) - pair.epsilon(0.2, End::ZeroForce)?).abs() < 1e-15);
+    ///
+    /// let elastic = ViscoelasticContact::new(*pair.contact(), 0.0)?;
+    /// assert!(elastic.restitution(End::ZeroForce).epsilon(0.2).is_nan());
+    /// # Ok::<(), MaterialError>(())
+    /// ```
+    pub fn restitution(&self, end: End) -> Restitution {
+        Restitution::from_u_at_unit_velocity(1.5 * self.a * self.contact.rate(), end)
     }
 
     /// The duration of the collision without damping, `2 T tau = 3.218... tau`, in s; closed form.

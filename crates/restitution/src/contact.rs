@@ -1,7 +1,7 @@
 //! Hertz's contact of two spheres, or of a sphere and a plane.
 
 use crate::error::{in_range, positive};
-use crate::{Material, MaterialError, Sphere};
+use crate::{Material, MaterialError, Sphere, fifth_root};
 
 /// The body that a sphere meets when it is not a sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -129,7 +129,7 @@ impl Contact {
     ///
     /// [`MaterialError::NotPositive`] for a velocity that is not positive and finite.
     pub fn time_unit(&self, velocity: f64) -> Result<f64, MaterialError> {
-        in_range("time unit", 1.0 / (self.rate() * positive("velocity", velocity)?.powf(0.2)))
+        in_range("time unit", 1.0 / (self.rate() * fifth_root(positive("velocity", velocity)?)))
     }
 }
 

@@ -1,7 +1,7 @@
 //! The characteristic velocity from a table of measurements.
 
 use crate::collision::SLOPE;
-use crate::{End, FitError, Measurement};
+use crate::{End, FitError, Measurement, Restitution};
 use std::vec::Vec;
 
 /// How a residual counts.
@@ -65,7 +65,7 @@ impl Fit {
 
     /// The fitted coefficient at an impact velocity in the unit of the table.
     pub fn epsilon(&self, velocity: f64, end: End) -> f64 {
-        crate::epsilon((velocity / self.characteristic_velocity).powf(0.2) / SLOPE, end)
+        Restitution::from_g_star(self.characteristic_velocity, end).epsilon(velocity)
     }
 }
 

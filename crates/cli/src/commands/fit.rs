@@ -13,7 +13,7 @@ use std::path::PathBuf;
 /// Arguments of `restitution fit`.
 #[derive(Debug, clap::Args)]
 pub struct FitArgs {
-    /// A CSV file with a header line and columns g and epsilon, such as g[cm/s],epsilon
+    /// A CSV file with a header line and columns g and epsilon, such as g[cm/s],epsilon; - is stdin
     #[arg(value_name = "DATA")]
     data: PathBuf,
     /// Unit of the velocities, if the header names none [default: m/s]

@@ -116,6 +116,19 @@ fn wrong_materials_are_named_with_their_remedy() {
             "neither on nor off",
         ),
         ("material --from-code lammps", "--input"),
+        (
+            "material --young 9GPa --poisson 0.3 --density 900 --radius 1cm --against plane --radius2 1",
+            "leave --radius2 out",
+        ),
+        (
+            "material --young 9GPa --poisson 0.3 --density 900 --radius 1cm --against rigid-plane --young2 1",
+            "leave --young2",
+        ),
+        ("material --young 9GPa --poisson 0.3 --effective-radius 1cm", "--effective-mass"),
+        (
+            "material --young 9GPa --poisson 0.3 --density 900 --radius 1cm --g-star 1 --code mercury --error 1",
+            "cannot be used with",
+        ),
     ];
     for (line, remedy) in cases {
         let (code, message) = fail(line);
@@ -132,6 +145,17 @@ fn the_ice_of_the_paper_is_fitted() {
     let residuals = succeed(&format!("fit {data} --table residuals --format csv"));
     assert_eq!(residuals.lines().count(), 29);
     assert!(residuals.starts_with("line,velocity,epsilon,fitted,residual\n4,0.01,0.94,"), "{residuals}");
+}
+
+#[test]
+fn a_unit_can_be_given_beside_the_table() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("data.csv");
+    fs::write(&path, "g,epsilon\n0.1,0.8\n1,0.7\n10,0.55\n").unwrap();
+    let fitted =
+        |options: &str| value(&succeed(&format!("fit {} {options} --format csv", path.display())), "g*");
+    assert_eq!(fitted(""), fitted("--velocity-unit mm/s"));
+    assert!(fitted("--end zero-force") < fitted("--end zero-compression"));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 use super::{Input, plane_strain};
 use crate::error::positive;
-use crate::{Contact, End, MaterialError, ViscoelasticContact};
+use crate::{Contact, End, MaterialError, ViscoelasticContact, fifth_root};
 use core::fmt;
 
 /// Numerator and denominator of the [3/6] Padé approximant of \[MP2011\] in `v = sqrt(u)`, zero-force end, with the six
@@ -89,7 +89,7 @@ impl Yade {
     /// [`MaterialError::Epsilon`] unless `0 < en < 1`, [`MaterialError::NotPositive`].
     pub fn u(&self, velocity: f64) -> Result<f64, MaterialError> {
         let ratio = positive("velocity", velocity)? / self.checked()?.vn;
-        Ok(inverse_formula(self.en).powi(2) * ratio.powf(0.2))
+        Ok(inverse_formula(self.en).powi(2) * fifth_root(ratio))
     }
 
     /// The coefficient of restitution at impact velocity `velocity` (m/s) that the input means.
@@ -117,7 +117,7 @@ impl Yade {
     /// As [`u`](Self::u), and [`MaterialError::OutOfRange`].
     pub fn contact(&self, radius: f64, mass: f64) -> Result<ViscoelasticContact, MaterialError> {
         let contact = Contact::new(radius, mass, self.checked()?.effective_modulus)?;
-        let a = self.u(self.vn)? / (1.5 * contact.rate() * self.vn.powf(0.2));
+        let a = self.u(self.vn)? / (1.5 * contact.rate() * fifth_root(self.vn));
         ViscoelasticContact::new(contact, a)
     }
 }

@@ -37,8 +37,11 @@ impl Data {
             ))
         };
         let mut bytes = Vec::new();
-        let file = File::open(path).map_err(cannot)?;
-        file.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(cannot)?;
+        let source: Box<dyn Read> = match path.to_str() {
+            Some("-") => Box::new(std::io::stdin()),
+            _ => Box::new(File::open(path).map_err(cannot)?),
+        };
+        source.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(cannot)?;
         if bytes.len() as u64 > LARGEST_FILE {
             return Err(CliError::usage(format!(
                 "'{name}' has more than 100 MB: give a table of measurements"

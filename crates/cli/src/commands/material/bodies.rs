@@ -49,7 +49,7 @@ pub(super) struct BodyArgs {
     #[arg(long, value_name = "DENSITY", value_parser = units::density, allow_hyphen_values = true)]
     density2: Option<Quantity>,
     /// Effective radius R1 R2/(R1 + R2), instead of the bodies
-    #[arg(long, value_name = "R", value_parser = units::length, allow_hyphen_values = true, requires = "effective_mass", conflicts_with_all = ["radius", "radius2", "density", "density2"])]
+    #[arg(long, value_name = "R", value_parser = units::length, allow_hyphen_values = true, requires = "effective_mass", conflicts_with_all = ["radius", "radius2", "density", "density2", "against"])]
     effective_radius: Option<Quantity>,
     /// Effective mass m1 m2/(m1 + m2), instead of the bodies
     #[arg(long, value_name = "M", value_parser = units::mass, allow_hyphen_values = true, requires = "effective_radius")]
@@ -60,6 +60,20 @@ pub(super) struct BodyArgs {
 }
 
 impl BodyArgs {
+    /// Refuses what the second body cannot have.
+    pub(super) fn check(&self) -> Result<(), CliError> {
+        if self.against != Against::Sphere && self.radius2.is_some() {
+            return Err(CliError::usage("a plane has no radius: leave --radius2 out"));
+        }
+        let second = self.young2.is_some() || self.poisson2.is_some() || self.density2.is_some();
+        if self.against == Against::RigidPlane && second {
+            return Err(CliError::usage(
+                "a rigid plane has no material: leave --young2, --poisson2, --density2 out",
+            ));
+        }
+        Ok(())
+    }
+
     /// The elastic contact.
     pub(super) fn contact(&self) -> Result<Contact, CliError> {
         if let (Some(radius), Some(mass)) = (&self.effective_radius, &self.effective_mass) {

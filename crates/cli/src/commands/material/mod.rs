@@ -39,7 +39,7 @@ pub struct MaterialArgs {
     #[arg(long, value_name = "KEY=VALUE,...", requires = "from_code")]
     input: Option<String>,
     /// Also give the time step that keeps the error of epsilon below this
-    #[arg(long, value_name = "ERROR", value_parser = at_least_zero)]
+    #[arg(long, value_name = "ERROR", value_parser = at_least_zero, conflicts_with = "code")]
     error: Option<Exact>,
     #[command(flatten)]
     output: OutputArgs,
@@ -54,6 +54,7 @@ impl MaterialArgs {
     pub fn run(&self) -> Result<(), CliError> {
         self.output.check()?;
         units::all_or_none(&self.velocity).map_err(CliError::usage)?;
+        self.bodies.check()?;
         match (self.code, self.from_code) {
             (Some(code), _) => self.output.print_lines(&code.lines(self)?),
             (None, Some(code)) => self.print_meaning(code),
