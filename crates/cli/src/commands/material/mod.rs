@@ -19,10 +19,6 @@ use restitution::{End, ViscoelasticContact};
 /// Arguments of `restitution material`.
 #[derive(Debug, clap::Args)]
 pub struct MaterialArgs {
-    #[command(flatten)]
-    bodies: BodyArgs,
-    #[command(flatten)]
-    damping: DampingArgs,
     /// Impact velocities, such as 0.01m/s 1cm/s
     #[arg(long, value_name = "G", num_args = 1.., value_parser = units::velocity)]
     velocity: Vec<Quantity>,
@@ -43,6 +39,10 @@ pub struct MaterialArgs {
     error: Option<Exact>,
     #[command(flatten)]
     output: OutputArgs,
+    #[command(flatten)]
+    bodies: BodyArgs,
+    #[command(flatten)]
+    damping: DampingArgs,
 }
 
 impl MaterialArgs {
