@@ -7,7 +7,7 @@ use crate::{End, zero_compression, zero_force};
 /// u = (3/2) A (rho/m_eff)^(2/5) g^(1/5)
 /// ```
 ///
-/// ([RPBS1999], eqs. 5 and 6.) Defined for every f64: 1 at `u = 0` and -0, 0 at infinity (subnormal, then 0,
+/// (\[RPBS1999\], eqs. 5 and 6.) Defined for every f64: 1 at `u = 0` and -0, 0 at infinity (subnormal, then 0,
 /// on the way), NaN for NaN and below zero.
 ///
 /// Cost: a look-up of one cache line and a polynomial of degree 6, no division; up to `u = 7` at zero
@@ -43,7 +43,7 @@ pub fn epsilon(u: f64, end: End) -> f64 {
 /// 1 - epsilon(u) = -C_1 u - C_2 u^2 - …,   C_1 = -1.1534488580952888
 /// ```
 ///
-/// ([RPBS1999], eq. A30.) 0 at `u = 0`, 1 at infinity, NaN for NaN and below zero.
+/// (\[RPBS1999\], eq. A30.) 0 at `u = 0`, 1 at infinity, NaN for NaN and below zero.
 ///
 /// # Error bound
 ///

@@ -8,7 +8,7 @@ use crate::{End, epsilon, one_minus_epsilon, zero_compression, zero_force};
 /// u = (f g)^(1/5),   f = u_1^5 = 1/(g* |C_1|^5),   u_1 = (3/2) A (rho/m_eff)^(2/5)
 /// ```
 ///
-/// ([RPBS1999], eqs. 6, 30, 31.) `u_1` is the value of `u` at unit velocity and `g*` the velocity at
+/// (\[RPBS1999\], eqs. 6, 30, 31.) `u_1` is the value of `u` at unit velocity and `g*` the velocity at
 /// which `|C_1| u = 1`, in the unit of velocity that is then used throughout. A scale that is not
 /// positive and finite makes every coefficient NaN.
 ///

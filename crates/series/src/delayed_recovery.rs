@@ -6,7 +6,7 @@ use restitution_law::ForceLaw;
 
 /// The contact that ends at zero force: the factor `Psi` between the two ends of contact.
 ///
-/// Dry bodies don't attract: on the way out the contact ends where `x'' = 0` ([SP2008]), before the
+/// Dry bodies don't attract: on the way out the contact ends where `x'' = 0` (\[SP2008\]), before the
 /// compression is gone. Followed backwards from the exit, the last piece of the trajectory is the one of
 /// an impact with velocity `eps` and damping `-v`, `v = u eps^p`, and depends on one variable only:
 ///
