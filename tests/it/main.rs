@@ -6,6 +6,7 @@ mod citations;
 mod codes;
 mod dimensional;
 mod direct;
+mod direct_hard;
 mod fit;
 mod materials;
 mod pade_constructions;

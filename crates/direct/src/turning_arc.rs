@@ -108,7 +108,8 @@ impl Range {
         let bend = upper_bound(&((&start + &change) / &lowest).pow(&c));
         let wide = upper_bound(&((&start + &change + &room) / (&lowest - &room)).pow(&c));
         let ratio = from_fixed(&series.ratio[0], bits, BOUND_BITS);
-        let (most, least) = (upper_bound(&(&ratio * &wide)), lower_bound(&(ratio / wide)));
+        let most = upper_bound(&((&ratio + &problem.ratio_error) * &wide));
+        let least = positive(lower_bound(&((ratio - &problem.ratio_error) / wide)));
         let one = Ball::from_integer(1, BOUND_BITS);
         let part = |v: &Float| {
             let scaled = Ball::exact(v.clone()).shifted(i32::try_from(-problem.velocity_scale).unwrap_or(0));
