@@ -1,6 +1,8 @@
 use crate::expansion::{Expansion, damping_order_for, expand};
-use crate::{SeriesError, TailBound};
-use num_traits::One;
+use crate::turning_point::power as power_of;
+use crate::{DelayedRecovery, SeriesError, TailBound};
+use num_rational::{BigRational, Ratio};
+use num_traits::{One, Zero};
 use restitution_law::ForceLaw;
 use restitution_real::{Ball, RealError};
 
@@ -13,6 +15,9 @@ pub enum Quantity {
     ScaledRestitution,
     /// `y_k` of the maximal compression `x_max = y_0 + y_1 u + ...` (A23).
     Compression,
+    /// `h_k` of the contact that ends at zero force, `eps_d = 1 + h_2 u + ... + h_5 u^(5/2) + ...`, by powers of
+    /// `u^(1/d)`, `d` the denominator of [`DelayedRecovery::damping_exponent`]: half powers for spheres.
+    DelayedRecovery,
 }
 
 /// Bits that ball arithmetic loses for each order in the damping; see `docs/stability.md`.
@@ -63,6 +68,8 @@ pub fn coefficients_watched(
 ) -> Result<Vec<Ball>, SeriesError> {
     let wanted = bits_of(digits) + 8;
     let mut spare = BITS_PER_ORDER * order + 40;
+    let delay = (quantity == Quantity::DelayedRecovery).then(|| Delay::new(law, order)).transpose()?;
+    let order = delay.as_ref().map_or(order, Delay::whole_order);
     let tail = TailBound::find(law, damping_order_for(quantity, order))?;
     loop {
         let bits = u32::try_from(wanted + spare).ok().filter(|&bits| bits <= MAX_BITS);
@@ -71,10 +78,12 @@ pub fn coefficients_watched(
         // The tail is not magnified on its way to the sums, so it may take up half of what is to spare.
         let tail_bits = bits - u32::try_from(spare / 2).unwrap_or(0);
         let expansion = expand(law, order, bits, (&tail, tail_bits), watch)?;
-        let values = expansion.select(quantity);
+        let values = match &delay {
+            Some(delay) => delay.coefficients(&expansion.restitution)?,
+            None => expansion.select(quantity),
+        };
         let missing = values.iter().filter(|v| v.to_digits(digits).is_none());
         let Some(missing) = missing.map(|v| shortfall(v, wanted)).max() else { return Ok(values) };
-        eprintln!("bits {bits} missing {missing}");
         spare += missing + spare / 8 + 16;
     }
 }
@@ -83,9 +92,53 @@ impl Expansion {
     fn select(self, quantity: Quantity) -> Vec<Ball> {
         match quantity {
             Quantity::Compression => self.compression,
-            Quantity::Restitution => self.restitution,
+            Quantity::Restitution | Quantity::DelayedRecovery => self.restitution,
             Quantity::ScaledRestitution => scaled(&self.restitution),
         }
+    }
+}
+
+/// The expansion of the zero-force end, `eps_d = sum_k psi_k u^(r k) eps^(1 + p r k)`.
+struct Delay {
+    /// `r`, the exponent of the damping in `y`.
+    exponent: Ratio<i64>,
+    /// `p`, the velocity exponent.
+    velocity: BigRational,
+    psi: Vec<BigRational>,
+    /// The largest index, in powers of `u^(1/denominator of r)`.
+    order: usize,
+}
+
+impl Delay {
+    fn new(law: &ForceLaw, order: usize) -> Result<Self, SeriesError> {
+        let end = DelayedRecovery::new(law)?;
+        let exponent = end.damping_exponent();
+        let terms = order / usize::try_from(*exponent.numer()).unwrap_or(usize::MAX);
+        Ok(Self { exponent, velocity: law.velocity_exponent(), psi: end.psi(terms), order })
+    }
+
+    /// The order in whole powers of `u` that the restitution is needed to; at least 1.
+    fn whole_order(&self) -> usize {
+        (self.order / self.steps_per_power()).max(1)
+    }
+
+    fn steps_per_power(&self) -> usize {
+        usize::try_from(*self.exponent.denom()).unwrap_or(1)
+    }
+
+    /// `h_0 .. h_order`.
+    fn coefficients(&self, restitution: &[Ball]) -> Result<Vec<Ball>, SeriesError> {
+        let mut h = vec![Ball::zero(); self.order + 1];
+        let stride = usize::try_from(*self.exponent.numer()).unwrap_or(usize::MAX);
+        let exponent = BigRational::new((*self.exponent.numer()).into(), (*self.exponent.denom()).into());
+        for (k, psi) in self.psi.iter().enumerate() {
+            let power = BigRational::one() + &self.velocity * &exponent * BigRational::from_integer(k.into());
+            let places = h.iter_mut().skip(stride * k).step_by(self.steps_per_power());
+            for (place, c) in places.zip(power_of(restitution, &power)?) {
+                *place += &c * Ball::from_rational(psi, c.prec().max(restitution[1].prec()));
+            }
+        }
+        Ok(h)
     }
 }
 

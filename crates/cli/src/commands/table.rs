@@ -1,19 +1,22 @@
 //! `restitution table`: expansion coefficients with proved digits.
 
-use crate::args::{self, LawArgs};
+use crate::args::{self, EndOfContact, LawArgs};
 use crate::progress::Progress;
 use crate::{Cell, CliError, OutputArgs, Table, memory};
+use num_rational::BigRational;
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
-use restitution_series::coefficients_watched;
+use restitution_series::{DelayedRecovery, coefficients_watched};
 use rug::Float;
 use rug::float::Round;
 
 /// Arguments of `restitution table`.
 #[derive(Debug, clap::Args)]
 pub struct TableArgs {
-    /// Which coefficients: C of eps = 1 + C_1 u + ..., a of eps = 1 - a_1 s + ..., y of the largest compression [default: C,a]
-    #[arg(long, value_enum, value_delimiter = ',', default_values = ["C", "a"], hide_default_value = true, hide_possible_values = true)]
+    /// Which coefficients: C of eps = 1 + C_1 u + ..., a of eps = 1 - a_1 s + ..., y of the largest compression;
+    /// for the zero-force end h of eps = 1 + h_2 u + ... in powers u^(k/2), psi of Psi(y) as fractions
+    /// [default: C,a, or h with --end zero-force]
+    #[arg(long, value_enum, value_delimiter = ',', hide_possible_values = true)]
     quantity: Vec<Quantity>,
     /// The largest order
     #[arg(long, value_name = "K", default_value = "8", value_parser = args::order)]
@@ -21,6 +24,9 @@ pub struct TableArgs {
     /// Significant digits of every coefficient
     #[arg(long, value_name = "D", default_value = "20", value_parser = args::digits)]
     digits: usize,
+    /// Where the contact ends
+    #[arg(long, value_enum, value_name = "END")]
+    end: Option<EndOfContact>,
     #[command(flatten)]
     law: LawArgs,
     #[command(flatten)]
@@ -36,6 +42,10 @@ enum Quantity {
     A,
     #[value(name = "y")]
     Y,
+    #[value(name = "h")]
+    H,
+    #[value(name = "psi")]
+    Psi,
 }
 
 impl Quantity {
@@ -44,27 +54,50 @@ impl Quantity {
             Self::C => "C",
             Self::A => "a",
             Self::Y => "y",
+            Self::H => "h",
+            Self::Psi => "psi",
         }
     }
 
-    fn meaning(self) -> &'static str {
+    fn meaning(self, law: &ForceLaw) -> Result<String, CliError> {
+        Ok(match self {
+            Self::C => "eps(u) = 1 + C_1 u + C_2 u^2 + ...".to_owned(),
+            Self::A => "eps = 1 - a_1 s + a_2 s^2 - ..., s = -C_1 u".to_owned(),
+            Self::Y => "largest compression = y_0 + y_1 u + y_2 u^2 + ...".to_owned(),
+            Self::H => {
+                let step = DelayedRecovery::new(law)?.damping_exponent();
+                format!("eps(u) = sum_k h_k u^(k/{}), contact ending at zero force", step.denom())
+            }
+            Self::Psi => {
+                let (exponent, p) = (DelayedRecovery::new(law)?.damping_exponent(), law.velocity_exponent());
+                format!(
+                    "eps at zero force = eps at zero compression times sum_k psi_k y^k, y = (u eps^({p}))^({exponent})"
+                )
+            }
+        })
+    }
+
+    /// The end of contact that the coefficients belong to.
+    fn end(self) -> EndOfContact {
         match self {
-            Self::C => "eps(u) = 1 + C_1 u + C_2 u^2 + ...",
-            Self::A => "eps = 1 - a_1 s + a_2 s^2 - ..., s = -C_1 u",
-            Self::Y => "largest compression = y_0 + y_1 u + y_2 u^2 + ...",
+            Self::C | Self::A | Self::Y => EndOfContact::ZeroCompression,
+            Self::H | Self::Psi => EndOfContact::ZeroForce,
         }
     }
 
     /// The first order that is not 1 by definition.
     fn first(self) -> usize {
-        usize::from(self != Self::Y)
+        usize::from(matches!(self, Self::C | Self::A))
     }
 
-    fn in_series(self) -> restitution_series::Quantity {
+    /// The family in the engine; `None` for what is exact.
+    fn in_series(self) -> Option<restitution_series::Quantity> {
         match self {
-            Self::C => restitution_series::Quantity::Restitution,
-            Self::A => restitution_series::Quantity::ScaledRestitution,
-            Self::Y => restitution_series::Quantity::Compression,
+            Self::C => Some(restitution_series::Quantity::Restitution),
+            Self::A => Some(restitution_series::Quantity::ScaledRestitution),
+            Self::Y => Some(restitution_series::Quantity::Compression),
+            Self::H => Some(restitution_series::Quantity::DelayedRecovery),
+            Self::Psi => None,
         }
     }
 }
@@ -78,38 +111,58 @@ impl TableArgs {
     pub fn run(&self) -> Result<(), CliError> {
         self.output.check()?;
         memory::require(memory_estimate(self.order, self.digits), "lower --order or --digits")?;
-        let quantities = self.quantities();
+        let quantities = self.quantities()?;
         let columns = ["quantity", "k", "value", "radius"];
         let mut table = Table::new(&columns[usize::from(quantities.len() == 1)..]);
         for &quantity in &quantities {
-            for (k, value) in self.values(quantity)?.iter().enumerate().skip(quantity.first()) {
-                let (shown, radius) = certified(value, self.digits)?;
-                let row = [quantity.letter().into(), k.into(), Cell::Digits(shown), Cell::Digits(radius)];
+            for [k, value, radius] in self.rows(quantity)? {
+                let row = [quantity.letter().into(), k, value, radius];
                 table.push(row[usize::from(quantities.len() == 1)..].to_vec());
             }
         }
         for quantity in quantities {
-            table.note(format!("{}: {}", quantity.letter(), quantity.meaning()));
+            table.note(format!("{}: {}", quantity.letter(), quantity.meaning(&self.law.law)?));
         }
         table.note("radius: the true value differs from the one shown by no more than this");
         self.output.print(&table.titled(title(&self.law.law)))
     }
 
-    /// The quantities that were asked for, each once.
-    fn quantities(&self) -> Vec<Quantity> {
-        let mut seen = Vec::new();
+    /// The quantities that were asked for, each once, or those that belong to the end of contact.
+    fn quantities(&self) -> Result<Vec<Quantity>, CliError> {
+        let mut seen = match (self.quantity.is_empty(), self.end.unwrap_or_default()) {
+            (true, EndOfContact::ZeroCompression) => vec![Quantity::C, Quantity::A],
+            (true, EndOfContact::ZeroForce) => vec![Quantity::H],
+            (false, _) => Vec::new(),
+        };
         for &quantity in &self.quantity {
+            if self.end.is_some_and(|end| end != quantity.end()) {
+                let letter = quantity.letter();
+                return Err(CliError::usage(format!(
+                    "{letter} belongs to the other end of contact: ask for C, a, y with zero-compression, h, psi with zero-force"
+                )));
+            }
             if !seen.contains(&quantity) {
                 seen.push(quantity);
             }
         }
-        seen
+        Ok(seen)
     }
 
-    fn values(&self, quantity: Quantity) -> Result<Vec<Ball>, CliError> {
+    /// Rows of order, value and radius.
+    fn rows(&self, quantity: Quantity) -> Result<Vec<[Cell; 3]>, CliError> {
+        let Some(family) = quantity.in_series() else {
+            let psi = DelayedRecovery::new(&self.law.law)?.psi(self.order);
+            let exact = |(k, value): (usize, &BigRational)| [k.into(), Cell::digits(value), Cell::digits(0)];
+            return Ok(psi.iter().enumerate().map(exact).collect());
+        };
         let progress = Progress::steps(&format!("{}_k", quantity.letter()), self.order as u64);
         let watch = &mut |k: usize| progress.set(k as u64);
-        Ok(coefficients_watched(quantity.in_series(), &self.law.law, self.order, self.digits, watch)?)
+        let values = coefficients_watched(family, &self.law.law, self.order, self.digits, watch)?;
+        let row = |(k, value): (usize, &Ball)| {
+            let (shown, radius) = certified(value, self.digits)?;
+            Ok([k.into(), Cell::Digits(shown), Cell::Digits(radius)])
+        };
+        values.iter().enumerate().skip(quantity.first()).map(row).collect()
     }
 }
 
