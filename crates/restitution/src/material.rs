@@ -32,7 +32,7 @@ impl Material {
     /// [`MaterialError::NotPositive`] for a modulus or density that is not positive and finite,
     /// [`MaterialError::PoissonRatio`] outside (-1, 1/2).
     pub fn new(young: f64, poisson: f64, density: f64) -> Result<Self, MaterialError> {
-        let young = positive("Young's modulus", young)?;
+        let young = positive("Young modulus", young)?;
         if !(poisson > -1.0 && poisson < 0.5) {
             return Err(MaterialError::PoissonRatio { value: poisson });
         }
