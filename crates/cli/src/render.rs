@@ -43,8 +43,13 @@ impl Table {
         let object = |row: &Vec<Cell>| {
             Value::Object(self.columns.iter().cloned().zip(row.iter().map(Cell::json)).collect::<Map<_, _>>())
         };
-        let rows = self.rows.iter().map(object).collect::<Vec<_>>();
-        format!("{:#}\n", Value::Array(rows))
+        let rows = Value::Array(self.rows.iter().map(object).collect());
+        if self.fields.is_empty() {
+            return format!("{rows:#}\n");
+        }
+        let fields = self.fields.iter().map(|(name, value)| (name.clone(), value.json()));
+        let whole = fields.chain([("rows".to_owned(), rows)]).collect::<Map<_, _>>();
+        format!("{:#}\n", Value::Object(whole))
     }
 
     fn markdown(&self) -> String {
@@ -99,7 +104,7 @@ fn align(lines: &mut [Vec<String>], column: usize, numeric: bool) {
 }
 
 impl Cell {
-    fn plain(&self) -> String {
+    pub(crate) fn plain(&self) -> String {
         match self {
             Self::Integer(n) => n.to_string(),
             Self::Digits(text) | Self::Text(text) => text.clone(),
@@ -172,6 +177,15 @@ mod tests {
         assert_eq!(value[0]["k"], 1);
         assert_eq!(value[1]["value"], Value::Null);
         assert_eq!(value[1]["says"], 0.25);
+    }
+
+    #[test]
+    fn what_is_said_becomes_a_field() {
+        let mut table = sample();
+        table.said("poles", "real poles", 0_usize.into());
+        let value: Value = serde_json::from_str(&table.render(Format::Json)).unwrap();
+        assert_eq!((&value["poles"], &value["rows"][0]["k"]), (&0.into(), &1.into()));
+        assert!(table.render(Format::Text).ends_with("\nNote.\nreal poles: 0\n"));
     }
 
     #[test]

@@ -53,7 +53,8 @@ impl From<&str> for Cell {
 
 /// Named columns and rows of cells, with a title above and notes below.
 ///
-/// Title and notes are for readers: text, Markdown and LaTeX show them, CSV and JSON leave them out.
+/// Title and notes are for readers: text, Markdown and LaTeX show them, CSV and JSON leave them out,
+/// except that what is [`said`](Table::said) about the whole makes the JSON an object with `rows`.
 ///
 /// # Examples
 ///
@@ -71,13 +72,14 @@ pub struct Table {
     pub(crate) columns: Vec<String>,
     pub(crate) rows: Vec<Vec<Cell>>,
     pub(crate) notes: Vec<String>,
+    pub(crate) fields: Vec<(String, Cell)>,
 }
 
 impl Table {
     /// Returns an empty table with these columns.
     pub fn new(columns: &[&str]) -> Self {
         let columns = columns.iter().map(ToString::to_string).collect();
-        Self { title: None, columns, rows: Vec::new(), notes: Vec::new() }
+        Self { title: None, columns, rows: Vec::new(), notes: Vec::new(), fields: Vec::new() }
     }
 
     /// Sets the title.
@@ -90,6 +92,12 @@ impl Table {
     /// Adds a note below the rows.
     pub fn note(&mut self, note: impl ToString) {
         self.notes.push(note.to_string());
+    }
+
+    /// Adds what is said about the table as a whole: a note `label: value`, and in JSON a field `name`.
+    pub fn said(&mut self, name: &str, label: &str, value: Cell) {
+        self.note(format!("{label}: {}", value.plain()));
+        self.fields.push((name.to_owned(), value));
     }
 
     /// Adds a row.

@@ -1,74 +1,147 @@
 use crate::{PadeError, RationalFunction};
+use num_rational::BigRational;
 use restitution_real::Ball;
+use std::cmp::Ordering;
+
+/// A certified point of the function that is approximated.
+#[derive(Clone, Debug)]
+pub struct Sample {
+    /// The argument of the approximant.
+    pub x: Ball,
+    /// An enclosure of the value there.
+    pub value: Ball,
+}
 
 /// The largest relative error seen.
 #[derive(Clone, Debug)]
 pub struct WorstError {
     /// Where it was seen.
-    pub at: Ball,
+    pub at: BigRational,
     /// An enclosure of `|P/Q / f - 1|` there.
     pub error: Ball,
 }
 
 /// How far an approximant stays within a given relative error.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Reach {
-    /// On every sample of the range.
+    /// On the whole grid.
     Everywhere,
-    /// Up to this sample; on the next one the error is or may be larger.
-    UpTo(Ball),
+    /// Up to this point; a little beyond it the error is or may be larger.
+    UpTo(BigRational),
 }
 
-/// Returns the largest relative error of `P/Q` against certified samples `(x, f(x))`.
+/// Points of a grid on `[low, high]` that is denser at both ends.
 ///
 /// ```text
-/// max over the samples of |P(x)/(Q(x) f(x)) - 1|
+/// low + (high - low) t^2 (3 - 2 t),    t = 0, 1/n, ..., 1
 /// ```
 ///
-/// # Error bound
+/// # Errors
 ///
-/// At each sample the error is enclosed. Between samples nothing is proved: a finer grid is the
-/// remedy. `None` without samples.
+/// [`PadeError::EmptyRange`] unless `0 <= low < high`.
+pub fn grid(low: &BigRational, high: &BigRational, intervals: u32) -> Result<Vec<BigRational>, PadeError> {
+    let ratio = |n: u32, d: u32| BigRational::new(n.into(), d.into());
+    if *low < ratio(0, 1) || low >= high {
+        return Err(PadeError::EmptyRange { low: low.to_string(), high: high.to_string() });
+    }
+    let n = intervals.max(1);
+    let step = |i: u32| {
+        let t = ratio(i, n);
+        low + (high - low) * &t * &t * (ratio(3, 1) - ratio(2, 1) * &t)
+    };
+    Ok((0..=n).map(step).collect())
+}
+
+/// Returns the relative error of `P/Q` at one certified sample.
 ///
 /// # Errors
 ///
 /// [`PadeError::Undecided`] if an enclosure of `Q(x)` contains zero.
-pub fn largest_error(
-    function: &RationalFunction<Ball>,
-    samples: &[(Ball, Ball)],
-) -> Result<Option<WorstError>, PadeError> {
-    let mut worst: Option<WorstError> = None;
-    for (x, value) in samples {
-        let error = relative_error(function, x, value)?;
-        if worst.as_ref().is_none_or(|w| error.upper() > w.error.upper()) {
-            worst = Some(WorstError { at: x.clone(), error });
-        }
-    }
-    Ok(worst)
+pub fn relative_error(function: &RationalFunction<Ball>, sample: &Sample) -> Result<Ball, PadeError> {
+    Ok((function.value(&sample.x)? / &sample.value - Ball::from_integer(1, sample.x.prec())).abs())
 }
 
-/// Returns how far along the samples, in ascending order, the relative error stays at or below
-/// `level`.
+/// How often the neighbourhood of the largest error is looked at more closely, and how closely.
+const REFINEMENTS: usize = 2;
+const FINER: u32 = 6;
+
+/// Returns the largest relative error of `P/Q` seen on a grid and, twice, six times finer around it.
+///
+/// ```text
+/// max over the points of |P(x)/(Q(x) f(x)) - 1|
+/// ```
+///
+/// `sample` gives the certified value for a point of the grid.
+///
+/// # Error bound
+///
+/// At each point the error is enclosed. Between the points nothing is proved.
+///
+/// # Errors
+///
+/// [`PadeError::EmptyRange`] without points, those of [`relative_error`] and of `sample`.
+pub fn largest_error<E: From<PadeError>>(
+    function: &RationalFunction<Ball>,
+    points: &[BigRational],
+    mut sample: impl FnMut(&BigRational) -> Result<Sample, E>,
+) -> Result<WorstError, E> {
+    let mut points = points.to_vec();
+    let mut worst: Option<WorstError> = None;
+    for _ in 0..=REFINEMENTS {
+        for at in &points {
+            let error = relative_error(function, &sample(at)?)?;
+            if worst.as_ref().is_none_or(|w| error.upper() > w.error.upper()) {
+                worst = Some(WorstError { at: at.clone(), error });
+            }
+        }
+        points = worst.as_ref().map(|w| around(&points, &w.at)).unwrap_or_default();
+    }
+    let nothing = || PadeError::EmptyRange { low: "no point".to_owned(), high: "no point".to_owned() };
+    worst.ok_or_else(|| nothing().into())
+}
+
+/// Points between the neighbours of `at` in an ascending grid.
+fn around(points: &[BigRational], at: &BigRational) -> Vec<BigRational> {
+    let index = points.partition_point(|p| p < at);
+    let low = &points[index.saturating_sub(1)];
+    let high = &points[(index + 1).min(points.len() - 1)];
+    let share = |i: u32| low + (high - low) * BigRational::new(i.into(), (2 * FINER).into());
+    (0..=2 * FINER).map(share).collect()
+}
+
+/// How finely the point where the error is reached is located, in halvings.
+const HALVINGS: usize = 12;
+
+/// Returns how far along an ascending grid the relative error stays at or below `level`.
+///
+/// The first point of the grid where it is or may be larger is approached by bisection.
 ///
 /// # Errors
 ///
 /// As [`largest_error`].
-pub fn largest_reach(
+pub fn largest_reach<E: From<PadeError>>(
     function: &RationalFunction<Ball>,
-    samples: &[(Ball, Ball)],
-    level: &Ball,
-) -> Result<Reach, PadeError> {
-    let mut reached = Ball::from_integer(0, level.prec());
-    for (x, value) in samples {
-        if relative_error(function, x, value)?.upper() > level.lower() {
-            return Ok(Reach::UpTo(reached));
+    points: &[BigRational],
+    level: &BigRational,
+    mut sample: impl FnMut(&BigRational) -> Result<Sample, E>,
+) -> Result<Reach, E> {
+    let mut within = |at: &BigRational| -> Result<bool, E> {
+        let error = relative_error(function, &sample(at)?)?;
+        let room = Ball::from_rational(level, error.prec()) - &error;
+        Ok(room.is_positive() || (room.lower().cmp0() == Some(Ordering::Equal)))
+    };
+    let mut good = BigRational::new(0.into(), 1.into());
+    for point in points {
+        if within(point)? {
+            good.clone_from(point);
+            continue;
         }
-        reached = x.clone();
+        let mut bad = point.clone();
+        for _ in 0..HALVINGS {
+            let middle = (&good + &bad) / BigRational::from_integer(2.into());
+            if within(&middle)? { good = middle } else { bad = middle }
+        }
+        return Ok(Reach::UpTo(good));
     }
     Ok(Reach::Everywhere)
-}
-
-/// `|P/Q / f - 1|` at one sample.
-fn relative_error(function: &RationalFunction<Ball>, x: &Ball, value: &Ball) -> Result<Ball, PadeError> {
-    Ok((function.value(x)? / value - Ball::from_integer(1, x.prec())).abs())
 }

@@ -183,11 +183,13 @@ pub(crate) fn solve<F: RealField>(
         (numerator + 1..needed).map(|n| contact_row(series, n, denominator)).collect();
     rows.extend((0..conditions).map(|i| infinity.row(series, asked, i)));
     let den = null_vector(rows, denominator + 1)?;
-    let num = polynomial::product_trunc(series, &den, numerator + 1);
     let lost = denominator + 1 - den.len();
-    let shift = polynomial::lowest(&den, "the constant term of the denominator")?.unwrap_or(0);
-    let num = num.into_iter().skip(shift).collect();
-    let den = den.into_iter().skip(shift).collect();
+    let shift =
+        polynomial::lowest(&den, "whether the constant term of the denominator is zero")?.unwrap_or(0);
+    let constant = den[shift].clone();
+    let mut den: Vec<F> = den.into_iter().skip(shift).map(|c| c / &constant).collect();
+    den[0] = F::one();
+    let num = polynomial::product_trunc(series, &den, (numerator + 1).saturating_sub(shift));
     let function = RationalFunction::new(num, den)?;
     let contact = contact(series, &function, needed.saturating_sub(shift));
     let shared = series[..contact.order()].to_vec();

@@ -115,7 +115,7 @@ struct Pair<F> {
 impl<F: RealField> Pair<F> {
     /// Splits off the lowest term `c x^alpha`, leaving a constant term 1; `None` at the end.
     fn take_link(&mut self) -> Result<Option<Link<F>>, PadeError> {
-        let what = "a link of the continued fraction";
+        let what = "whether a link of the continued fraction is zero";
         for (blurred, sharp) in self.polynomial.iter_mut().zip(&self.series) {
             if !sharp.is_zero() {
                 break;

@@ -16,20 +16,18 @@ pub enum PadeError {
         /// The coefficients that were given.
         known: usize,
     },
-    /// A number decides the answer and may be zero or not.
-    #[error(
-        "whether {what} is zero cannot be decided at this precision: give the coefficients to more digits"
-    )]
+    /// A number decides the answer and its enclosure leaves it open, most often because it may be zero.
+    #[error("{what} cannot be decided at this precision: give the coefficients to more digits")]
     Undecided {
-        /// The number that decides.
+        /// What is open.
         what: &'static str,
     },
     /// The precision was raised to its limit and the answer was still open.
     #[error(
-        "whether {what} is zero could not be decided with {reached_bits} bits of working precision: it may be exactly zero, so ask for other degrees"
+        "{what} could not be decided with {reached_bits} bits of working precision: it may be a zero, so ask for other degrees or fewer digits"
     )]
     PrecisionExhausted {
-        /// The number that decides.
+        /// What is open.
         what: &'static str,
         /// The precision that was reached.
         reached_bits: u32,

@@ -21,7 +21,7 @@ mod two_point;
 mod verdict;
 mod zeros;
 
-pub use accuracy::{Reach, WorstError, largest_error, largest_reach};
+pub use accuracy::{Reach, Sample, WorstError, grid, largest_error, largest_reach, relative_error};
 pub use approximant::{Approximant, Contact, approximant};
 pub use continued_fraction::{ContinuedFraction, Link};
 pub use error::PadeError;

@@ -36,7 +36,7 @@ fn pivot<F: RealField>(rows: &[Vec<F>], column: usize) -> Result<Option<usize>, 
         return Ok(Some(index));
     }
     if open.clone().any(|(_, row)| row[column].zero_test() == ZeroTest::Undecided) {
-        return Err(PadeError::Undecided { what: "a pivot of the linear system" });
+        return Err(PadeError::Undecided { what: "whether a pivot of the linear system is zero" });
     }
     Ok(None)
 }

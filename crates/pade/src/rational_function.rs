@@ -38,16 +38,20 @@ impl<F: RealField> RationalFunction<F> {
         match constant.zero_test() {
             ZeroTest::Zero => return Err(PadeError::PoleAtZero),
             ZeroTest::Undecided => {
-                return Err(PadeError::Undecided { what: "the constant term of the denominator" });
+                return Err(PadeError::Undecided {
+                    what: "whether the constant term of the denominator is zero",
+                });
             }
             ZeroTest::NonZero => {}
         }
-        for c in num.iter_mut().chain(den.iter_mut().skip(1)) {
-            *c = std::mem::replace(c, F::zero()) / &constant;
+        if (constant.clone() - F::one()).zero_test() != ZeroTest::Zero {
+            for c in num.iter_mut().chain(den.iter_mut().skip(1)) {
+                *c = std::mem::replace(c, F::zero()) / &constant;
+            }
+            den[0] = F::one();
         }
-        den[0] = F::one();
-        polynomial::trim(&mut num, "the leading coefficient of the numerator")?;
-        polynomial::trim(&mut den, "the leading coefficient of the denominator")?;
+        polynomial::trim(&mut num, "whether the leading coefficient of the numerator is zero")?;
+        polynomial::trim(&mut den, "whether the leading coefficient of the denominator is zero")?;
         Ok(Self { num, den })
     }
 
@@ -80,7 +84,7 @@ impl<F: RealField> RationalFunction<F> {
         let den = polynomial::evaluate(&self.den, x);
         match den.zero_test() {
             ZeroTest::NonZero => Ok(polynomial::evaluate(&self.num, x) / den),
-            _ => Err(PadeError::Undecided { what: "the denominator at the point" }),
+            _ => Err(PadeError::Undecided { what: "whether the denominator is zero at the point" }),
         }
     }
 

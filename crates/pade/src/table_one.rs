@@ -36,7 +36,9 @@ pub fn table_one<F: RealField>(a2: &F, a3: &F, a4: &F) -> Result<RationalFunctio
         - product(a3.clone(), a3.clone() - square(a2));
     match d0.zero_test() {
         ZeroTest::Zero => Err(PadeError::ClosedFormulaFails),
-        ZeroTest::Undecided => Err(PadeError::Undecided { what: "d_0 of the closed formulas" }),
+        ZeroTest::Undecided => {
+            Err(PadeError::Undecided { what: "whether d_0 of the closed formulas is zero" })
+        }
         ZeroTest::NonZero => RationalFunction::new(vec![d0.clone(), d1], vec![d0, d2, d3, d4, d5]),
     }
 }

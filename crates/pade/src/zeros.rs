@@ -77,8 +77,8 @@ pub fn sign_changes<F: RealField>(p: &[F], interval: &Interval<F>) -> Result<Opt
 /// The polynomial without its zeros at 0, trimmed, and how many they were.
 fn split_zero<F: RealField>(p: &[F]) -> Result<Option<(Vec<F>, usize)>, PadeError> {
     let mut p = p.to_vec();
-    polynomial::trim(&mut p, "the leading coefficient of a polynomial whose zeros are counted")?;
-    let lowest = polynomial::lowest(&p, "the lowest coefficient of a polynomial whose zeros are counted")?;
+    polynomial::trim(&mut p, "whether the leading coefficient of a polynomial is zero")?;
+    let lowest = polynomial::lowest(&p, "whether the lowest coefficient of a polynomial is zero")?;
     Ok(lowest.map(|shift| (p.split_off(shift), shift)))
 }
 
@@ -99,7 +99,7 @@ fn by_descartes<F: RealField>(p: &[F], interval: &Interval<F>) -> Option<usize> 
 
 /// Sturm's chain, each remainder divided by the size of its leading coefficient.
 fn sturm_chain<F: RealField>(p: &[F]) -> Result<Vec<Vec<F>>, PadeError> {
-    let what = "the leading coefficient of a remainder in Sturm's chain";
+    let what = "whether a remainder of Sturm's chain is zero";
     let mut chain = vec![p.to_vec()];
     let mut next = polynomial::derivative(p);
     loop {
@@ -143,7 +143,7 @@ fn variations<F: RealField>(values: impl IntoIterator<Item = F>) -> Result<usize
         !neighbours.is_some_and(|(before, after)| before == after.reverse() && before != Ordering::Equal)
     };
     if (0..signs.len()).any(|i| signs[i].is_none() && needed(i)) {
-        return Err(PadeError::Undecided { what: "a value in Sturm's chain" });
+        return Err(PadeError::Undecided { what: "the sign of a value in Sturm's chain" });
     }
     let mut changes: Vec<_> = signs.into_iter().flatten().filter(|sign| sign.is_ne()).collect();
     changes.dedup();

@@ -17,6 +17,7 @@ pub mod completions;
 pub mod epsilon;
 pub mod fit;
 pub mod material;
+pub mod pade;
 pub mod table;
 pub mod trajectory;
 
@@ -48,6 +49,8 @@ pub enum Command {
     Fit(fit::FitArgs),
     /// What follows from a material, a measurement or the input of a discrete-element code
     Material(Box<material::MaterialArgs>),
+    /// Padé approximants: constants, verdicts, maps, recommended and published ones
+    Pade(pade::PadeArgs),
 }
 
 /// Reads the arguments, the program's name first, and carries out what they ask for.
@@ -74,6 +77,7 @@ impl Command {
             Self::Completions(args) => args.run(),
             Self::Fit(args) => args.run(),
             Self::Material(args) => args.run(),
+            Self::Pade(args) => args.run(),
         }
     }
 }

@@ -1,0 +1,180 @@
+//! What is approximated: the restitution coefficient as a series in a variable, with certified values.
+
+use crate::CliError;
+use crate::args::EndOfContact;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+use restitution_direct::{Collision, End, saturation_speed};
+use restitution_law::ForceLaw;
+use restitution_pade::{AtInfinity, Sample};
+use restitution_real::Ball;
+use restitution_series::{Quantity, coefficients, zero_force_coefficients};
+use std::collections::HashMap;
+use std::sync::Mutex;
+
+/// The variable that an approximant is written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Variable {
+    /// s = -C_1 u = (g/g*)^(1/5), the paper's.
+    S,
+    /// u, the damping scaled by the impact velocity.
+    U,
+    /// The square root of u, in which the end at zero force expands.
+    SqrtU,
+}
+
+impl Variable {
+    /// The variable as it is written.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::S => "s",
+            Self::U => "u",
+            Self::SqrtU => "sqrt(u)",
+        }
+    }
+}
+
+/// Proved digits of a certified value, enough to judge errors down to about 1e-25.
+const SAMPLE_DIGITS: usize = 28;
+/// Bits that hold such a value.
+const SAMPLE_BITS: u32 = 128;
+
+/// The restitution coefficient of one law with one end of contact, in one variable.
+#[derive(Debug)]
+pub struct Expansion {
+    law: ForceLaw,
+    variable: Variable,
+    collision: Collision,
+    samples: Mutex<HashMap<BigRational, Sample>>,
+}
+
+impl Expansion {
+    /// Returns the expansion; without a variable the one that belongs to the end of contact.
+    pub fn new(law: &ForceLaw, end: EndOfContact, variable: Option<Variable>) -> Result<Self, CliError> {
+        let (end, variable) = match (end, variable) {
+            (EndOfContact::ZeroCompression, variable) => {
+                (End::ZeroCompression, variable.unwrap_or(Variable::U))
+            }
+            (EndOfContact::ZeroForce, None | Some(Variable::SqrtU)) => (End::ZeroForce, Variable::SqrtU),
+            (EndOfContact::ZeroForce, Some(variable)) => {
+                return Err(CliError::usage(format!(
+                    "with the end of contact at zero force there is no power series in {}: give --variable sqrt-u",
+                    variable.name()
+                )));
+            }
+        };
+        let collision = Collision::new(law, end).map_err(CliError::usage)?;
+        Ok(Self { law: law.clone(), variable, collision, samples: Mutex::default() })
+    }
+
+    /// The variable.
+    pub fn variable(&self) -> Variable {
+        self.variable
+    }
+
+    /// The end of contact.
+    pub fn end(&self) -> End {
+        self.collision.end()
+    }
+
+    /// The first `count` coefficients in the variable, to about `bits` bits.
+    ///
+    /// What is known exactly is exact: the constant term 1, zeros between powers, and in `s` the
+    /// linear term.
+    pub fn coefficients(&self, count: usize, bits: u32) -> Result<Vec<Ball>, CliError> {
+        let digits = (f64::from(bits) * std::f64::consts::LOG10_2).ceil() as usize;
+        let mut series = match (self.end(), self.variable) {
+            (End::ZeroForce, _) => self.half_powers(count, digits)?,
+            (_, Variable::U) => self.known(Quantity::Restitution, count, digits)?,
+            (_, Variable::S) => {
+                let a = self.known(Quantity::ScaledRestitution, count, digits)?;
+                a.into_iter().enumerate().map(|(k, a)| if k % 2 == 1 { -a } else { a }).collect()
+            }
+            (_, Variable::SqrtU) => {
+                let c = self.known(Quantity::Restitution, count.div_ceil(2), digits)?;
+                c.into_iter().flat_map(|c| [c, Ball::zero()]).take(count).collect()
+            }
+        };
+        if let Some(constant) = series.first_mut() {
+            *constant = Ball::one();
+        }
+        Ok(series)
+    }
+
+    fn known(&self, quantity: Quantity, count: usize, digits: usize) -> Result<Vec<Ball>, CliError> {
+        let order = count.saturating_sub(1).max(1);
+        let mut values = coefficients(quantity, &self.law, order, digits).map_err(CliError::failure)?;
+        values.truncate(count);
+        Ok(values)
+    }
+
+    /// `h_k` of `eps = sum h_k u^(k/2)`.
+    fn half_powers(&self, count: usize, digits: usize) -> Result<Vec<Ball>, CliError> {
+        let index = count.saturating_sub(1).max(2);
+        let mut values = zero_force_coefficients(&self.law, index, digits).map_err(CliError::failure)?;
+        values.truncate(count);
+        Ok(values)
+    }
+
+    /// The first `conditions` terms of the expansion at infinity, `eps = (exit speed)/u^(1/p)` and nothing more.
+    pub fn at_infinity(&self, conditions: usize, bits: u32) -> Result<AtInfinity<Ball>, CliError> {
+        let digits = (f64::from(bits) * std::f64::consts::LOG10_2).ceil() as usize;
+        let mut leading = self.saturation(digits)?;
+        let decay = self.decay()?;
+        if self.variable == Variable::S {
+            leading *= self.scale(digits)?.powi(i64::try_from(decay).unwrap_or(i64::MAX));
+        }
+        let zeros = std::iter::repeat_with(Ball::zero);
+        Ok(AtInfinity::new(decay, std::iter::once(leading).chain(zeros).take(conditions).collect()))
+    }
+
+    /// `lim eps u^(1/p)`.
+    pub fn saturation(&self, digits: usize) -> Result<Ball, CliError> {
+        if self.end() == End::ZeroForce {
+            return Err(CliError::usage(
+                "with the end of contact at zero force eps does not fall off like a whole power of sqrt(u): leave --at-infinity out, or end the contact at zero compression",
+            ));
+        }
+        saturation_speed(&self.law, digits).map_err(CliError::usage)
+    }
+
+    /// The exponent with which `eps` falls off in the variable: `1/p`, or twice that in `sqrt(u)`.
+    pub fn decay(&self) -> Result<usize, CliError> {
+        let p = self.law.velocity_exponent();
+        let steps = if self.variable == Variable::SqrtU { 2 } else { 1 };
+        let decay = p.is_positive().then(|| BigRational::from_integer(steps.into()) / &p);
+        let whole = decay.filter(|d| d.is_integer()).and_then(|d| d.to_usize());
+        whole.ok_or_else(|| {
+            CliError::usage(format!(
+                "with the law {} eps does not fall off like a whole power of {} (u ~ g^({p})): leave --at-infinity out",
+                self.law,
+                self.variable.name()
+            ))
+        })
+    }
+
+    /// `-C_1`.
+    fn scale(&self, digits: usize) -> Result<Ball, CliError> {
+        let c = coefficients(Quantity::Restitution, &self.law, 1, digits).map_err(CliError::failure)?;
+        Ok(-c.into_iter().nth(1).unwrap_or_else(Ball::one))
+    }
+
+    /// The certified value at `u`; the argument is in the variable.
+    pub fn sample(&self, u: &BigRational) -> Result<Sample, CliError> {
+        let lock = || self.samples.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        if let Some(sample) = lock().get(u) {
+            return Ok(sample.clone());
+        }
+        let exact = Ball::from_rational(u, SAMPLE_BITS);
+        let x = match self.variable {
+            Variable::U => exact,
+            Variable::S => exact * self.scale(SAMPLE_DIGITS + 10)?,
+            Variable::SqrtU if u.is_zero() => Ball::zero(),
+            Variable::SqrtU => exact.sqrt(),
+        };
+        let value = self.collision.epsilon(u, SAMPLE_DIGITS).map_err(CliError::failure)?;
+        let sample = Sample { x, value: value.with_prec(SAMPLE_BITS) };
+        lock().insert(u.clone(), sample.clone());
+        Ok(sample)
+    }
+}

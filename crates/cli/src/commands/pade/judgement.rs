@@ -1,0 +1,177 @@
+//! One approximant and everything that is said about it.
+
+use super::expansion::Expansion;
+use crate::{Cell, CliError, Table};
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+use restitution_pade::{
+    Approximant, Interval, PadeError, PadeType, RationalFunction, Reach, Verdict, WorstError, approximant,
+    grid, largest_error, largest_reach, two_point, verdict, with_precision,
+};
+use restitution_real::Ball;
+use rug::Float;
+use rug::float::Round;
+
+/// Intervals of the grid on which errors are looked for.
+pub const GRID: u32 = 40;
+/// Largest damping up to which an error level is followed.
+const FARTHEST: i64 = 20;
+/// Precision above which no further attempt is made, in multiples of the first.
+const ATTEMPTS: u32 = 32;
+
+/// What is asked about an approximant.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// The degrees.
+    pub asked: PadeType,
+    /// How many conditions it meets at infinity.
+    pub at_infinity: usize,
+    /// Digits of its constants.
+    pub digits: usize,
+    /// The range of `u` on which its error is looked for.
+    pub range: (BigRational, BigRational),
+    /// The relative error whose reach is wanted.
+    pub level: BigRational,
+}
+
+/// An approximant with its verdict.
+#[derive(Debug)]
+pub struct Judged {
+    /// The approximant.
+    pub approximant: Approximant<Ball>,
+    /// Its verdict on the half-line.
+    pub verdict: Verdict,
+}
+
+/// Bits to begin with: the digits wanted and what the elimination is likely to lose.
+pub fn first_bits(asked: PadeType, digits: usize) -> u32 {
+    let degree = asked.numerator.saturating_add(asked.denominator);
+    u32::try_from(64 + digits.saturating_mul(10) / 3 + degree.saturating_mul(10)).unwrap_or(u32::MAX / 64)
+}
+
+/// Finds the approximant and its verdict, with all digits of its constants proved.
+///
+/// # Errors
+///
+/// What the expansion says; [`PadeError`] as a usage error or a failure.
+pub fn judge(expansion: &Expansion, request: &Request) -> Result<Judged, CliError> {
+    let count = request.asked.conditions() - request.at_infinity.min(request.asked.conditions() - 1) + 2;
+    let first = first_bits(request.asked, request.digits);
+    with_precision(first, first.saturating_mul(ATTEMPTS), |bits| {
+        let series = expansion.coefficients(count, bits)?;
+        let found = if request.at_infinity > 0 {
+            let infinity = expansion.at_infinity(request.at_infinity, bits)?;
+            two_point(&series, request.asked, &infinity)
+        } else {
+            approximant(&series, request.asked)
+        };
+        Ok(found.and_then(|approximant| {
+            constants(approximant.function(), request.digits)?;
+            let verdict = verdict(&approximant, &Interval::HalfLine)?;
+            Ok(Judged { approximant, verdict })
+        }))
+    })
+}
+
+/// A constant in decimals: part, index, digits.
+pub type Constant = (&'static str, usize, String);
+
+/// The constants of an approximant.
+///
+/// # Errors
+///
+/// [`PadeError::Undecided`] if a ball does not prove the digits.
+pub fn constants(function: &RationalFunction<Ball>, digits: usize) -> Result<Vec<Constant>, PadeError> {
+    let parts = [("num", function.num()), ("den", function.den())];
+    let all = parts.into_iter().flat_map(|(part, p)| p.iter().enumerate().map(move |(k, c)| (part, k, c)));
+    let undecided = PadeError::Undecided { what: "the last digit of a constant" };
+    all.map(|(part, k, c)| Ok((part, k, shown(c, digits).ok_or(undecided.clone())?))).collect()
+}
+
+/// The value in decimals, `None` if its digits are not proved; an exact integer has no tail of zeros.
+pub fn shown(value: &Ball, digits: usize) -> Option<String> {
+    match value.mid().to_integer() {
+        Some(n) if value.is_exact() && value.mid().is_integer() => Some(n.to_string()),
+        _ => value.to_digits(digits),
+    }
+}
+
+impl From<PadeError> for CliError {
+    fn from(error: PadeError) -> Self {
+        match error {
+            PadeError::Undecided { .. } | PadeError::PrecisionExhausted { .. } => Self::failure(error),
+            _ => Self::usage(error),
+        }
+    }
+}
+
+/// The largest relative error on the range of the request.
+pub fn error_on_range(
+    expansion: &Expansion,
+    approximant: &Approximant<Ball>,
+    range: &(BigRational, BigRational),
+) -> Result<WorstError, CliError> {
+    let points = grid(&range.0, &range.1, GRID)?;
+    largest_error(approximant.function(), &points, |u| expansion.sample(u))
+}
+
+/// How far the error stays at or below the level.
+fn reach(expansion: &Expansion, judged: &Judged, level: &BigRational) -> Result<Reach, CliError> {
+    let end = |n: i64| BigRational::from_integer(n.into());
+    let points = grid(&end(0), &end(FARTHEST), 2 * GRID)?;
+    largest_reach(judged.approximant.function(), &points, level, |u| expansion.sample(u))
+}
+
+/// Writes the verdict below the table and into the fields of its JSON form.
+///
+/// # Errors
+///
+/// Those of the certified values.
+pub fn report(
+    table: &mut Table,
+    expansion: &Expansion,
+    request: &Request,
+    judged: &Judged,
+) -> Result<(), CliError> {
+    let (entry, verdict) = (&judged.approximant, &judged.verdict);
+    let zeros = verdict.zeros.map_or("everywhere".into(), Cell::from);
+    table.said("exact_type", "exact type", Cell::text(entry.exact_type()));
+    table.said("contact_order", "order of contact at 0", entry.contact().order().into());
+    if request.at_infinity > 0 {
+        table.said("met_at_infinity", "conditions met at infinity", entry.met_at_infinity().into());
+    }
+    table.said("poles", "real poles on [0, inf)", verdict.poles.into());
+    table.said("zeros", "real zeros on [0, inf)", zeros);
+    table.said("trend", "trend", Cell::text(verdict.trend));
+    table.said("bounds", "values", Cell::text(verdict.bounds));
+    let worst = error_on_range(expansion, entry, &request.range)?;
+    let (low, high) = (decimal(&request.range.0), decimal(&request.range.1));
+    let label = format!("largest relative error seen for {low} <= u <= {high}");
+    table.said("largest_error", &label, Cell::digits(error_bound(&worst.error)));
+    table.said("largest_error_at", "seen at u", Cell::digits(decimal(&worst.at)));
+    let reach = match reach(expansion, judged, &request.level)? {
+        Reach::Everywhere => FARTHEST.to_string(),
+        Reach::UpTo(u) => decimal(&u),
+    };
+    let label = format!("relative error at most {} up to u", error_text(&request.level));
+    table.said("error_reach", &label, Cell::digits(reach));
+    Ok(())
+}
+
+/// An upper bound with two digits.
+pub fn error_bound(error: &Ball) -> String {
+    let up: Float = error.upper();
+    up.to_string_radix_round(10, Some(2), Round::Up)
+}
+
+/// A level such as `1e-3` as it is usually written.
+pub fn error_text(level: &BigRational) -> String {
+    format!("{:e}", level.to_f64().unwrap_or(f64::NAN))
+}
+
+/// A point of a grid to four digits, rounded down.
+pub fn decimal(value: &BigRational) -> String {
+    let near = Float::with_val(64, value.to_f64().unwrap_or(f64::NAN));
+    let text = near.to_string_radix_round(10, Some(4), Round::Down);
+    text.parse::<f64>().map_or(text, |x| x.to_string())
+}
