@@ -37,14 +37,14 @@ pub fn table(digits: usize) -> Result<Table, CliError> {
     push(&mut table, codes, "[1/4] in sqrt(u), zero force", ONE_FOUR, regenerated(&in_root, 1, 4, digits)?);
     push(&mut table, codes, "[3/6] in sqrt(u), zero force", THREE_SIX, regenerated(&in_root, 3, 6, digits)?);
     table.note("Table I is the [1/4] approximant with a_5 set to 0, fed with a_3 = 0.315119 and a_4 = 0.161167, which are wrong: right are a_3 = 0.340729..., a_4 = 0.197020...");
-    table.note("with every coefficient right, a_5 included, the [1/4] approximant in s has a zero at s = 3.306 and is negative beyond");
+    table.note("the six printed digits of a_3 and a_4 leave the fourth decimal of d_1, d_2 and d_3 open: Table I as printed lies within what they allow");
+    table.note("with every coefficient right, a_5 included, the [1/4] approximant in s has a zero near s = 3.31 and is negative beyond");
     Ok(table)
 }
 
 fn push(table: &mut Table, work: &str, what: &str, printed: [&[&str]; 2], rows: Vec<Constant>) {
     for (part, k, value) in rows {
-        let printed =
-            printed[usize::from(part == "den")].get(k).map_or(Cell::Empty, Cell::digits);
+        let printed = printed[usize::from(part == "den")].get(k).map_or(Cell::Empty, Cell::digits);
         table.push(vec![work.into(), what.into(), part.into(), k.into(), printed, Cell::Digits(value)]);
     }
 }
