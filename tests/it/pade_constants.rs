@@ -1,12 +1,13 @@
 //! What `restitution pade` prints: regenerated constants, verdicts, maps and recommendations.
 
+use crate::pade_series::delayed_recovery;
 use crate::support::in_snapshots;
 use num_rational::BigRational;
 use restitution_direct::{Collision, End};
 use restitution_law::ForceLaw;
 use restitution_pade::table_one;
 use restitution_real::Ball;
-use restitution_series::{recovery_gain, zero_force_coefficients};
+use restitution_series::{DelayedRecovery, Quantity, coefficients};
 use std::ffi::OsString;
 
 /// What the command prints for the words of `line`.
@@ -176,7 +177,7 @@ fn requests_that_make_no_sense() {
 #[test]
 fn half_powers_agree_with_direct_integration() {
     let spheres = ForceLaw::viscoelastic_spheres();
-    let h = zero_force_coefficients(&spheres, 24, 30).unwrap();
+    let h = coefficients(Quantity::DelayedRecovery, &spheres, 24, 30).unwrap();
     let root = Ball::from_ratio(1, 10, 200);
     let sum = h.iter().rev().fold(Ball::from_integer(0, 200), |sum, h| sum * &root + h);
     let direct = Collision::new(&spheres, End::ZeroForce).unwrap();
@@ -188,7 +189,8 @@ fn half_powers_agree_with_direct_integration() {
 
 #[test]
 fn the_gain_of_delayed_recovery() {
-    let gain = recovery_gain(&ForceLaw::viscoelastic_spheres(), 13).unwrap();
+    let gain = DelayedRecovery::new(&ForceLaw::viscoelastic_spheres()).unwrap().psi(12);
+    assert_eq!(gain, delayed_recovery(13), "from the phase plane");
     let lines: Vec<_> = gain.iter().enumerate().map(|(k, c)| format!("{k:>2}  {c}")).collect();
     in_snapshots("pade", || insta::assert_snapshot!("recovery_gain", lines.join("\n")));
 }

@@ -3,7 +3,9 @@
 use crate::pade_series::{approximate_theory, cosine, exponential, ints, lacunary, quotient, ratio};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
+use restitution_law::ForceLaw;
 use restitution_pade::{Approximant, Contact, PadeError, PadeType, approximant};
+use restitution_series::DelayedRecovery;
 
 type Poly = Vec<BigRational>;
 
@@ -152,6 +154,12 @@ fn the_approximate_theory() {
     let series = approximate_theory(KNOWN);
     assert_eq!(series[2..5], [ratio(3, 5), ratio(-6, 25), ratio(7, 125)]);
     check_table("eps + s eps^(3/5) = 1", &series);
+}
+
+#[test]
+fn the_gain_of_delayed_recovery() {
+    let end = DelayedRecovery::new(&ForceLaw::viscoelastic_spheres()).unwrap();
+    check_table("Psi", &end.psi(KNOWN - 1));
 }
 
 #[test]

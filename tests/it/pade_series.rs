@@ -65,3 +65,48 @@ pub fn generic(len: usize) -> Vec<BigRational> {
     let coefficient = |k: usize| ratio((k * k + 3) as i64, k as i64 + 3) * ratio(-1, 2).pow(k as i32);
     (0..len).map(coefficient).collect()
 }
+
+/// `Psi(y)` for spheres, from the phase plane between zero force and exit instead of the trajectory.
+///
+/// In units of the point of zero force `P' = m (z - z^3/P)` with `x = z^2`, `P(1) = 1`; `N(m) = P(0)` is
+/// found by powers of `m` in polynomials of `z`, then `Psi = 1/N` at `y = m N^(1/2)`: the coefficient of
+/// `y^n` is that of `m^(n-1)` in `(1/N)' N^(-n/2)/n` (Lagrange).
+pub fn delayed_recovery(len: usize) -> Vec<BigRational> {
+    let multiply = |a: &[BigRational], b: &[BigRational], len: usize| -> Vec<BigRational> {
+        let term = |n: usize, i: usize| a.get(i).zip(b.get(n - i)).map(|(x, y)| x * y);
+        (0..len).map(|n| (0..=n).filter_map(|i| term(n, i)).sum()).collect()
+    };
+    let (mut p, mut inverse) = (vec![ints(&[1])], vec![ints(&[1])]);
+    for n in 1..len {
+        // The integral of -x^(3/2) r from 0, term by term: z^i gives z^(i+5)/((i+5)/2).
+        let mut next = vec![BigRational::zero(); 5];
+        next.extend(inverse[n - 1].iter().enumerate().map(|(i, c)| -c * ratio(2, i as i64 + 5)));
+        if n == 1 {
+            next[3] += ratio(2, 3);
+        }
+        next[0] = -next.iter().sum::<BigRational>();
+        p.push(next);
+        let sum = (1..=n).map(|i| multiply(&p[i], &inverse[n - i], 5 * n + 1));
+        let zero = vec![BigRational::zero(); 5 * n + 1];
+        let total = sum.fold(zero, |total, part| total.iter().zip(part).map(|(a, b)| a - b).collect());
+        inverse.push(total);
+    }
+    let exit: Vec<_> = p.iter().map(|p| p[0].clone()).collect();
+    // Powers N^q by Miller's recurrence.
+    let power = |q: BigRational| {
+        let mut out = vec![BigRational::one()];
+        for n in 1..len {
+            let weight = |i: usize| &q * ratio(i as i64, 1) - ratio((n - i) as i64, 1);
+            let sum: BigRational = (1..=n).map(|i| weight(i) * &exit[i] * &out[n - i]).sum();
+            out.push(sum / ratio(n as i64, 1));
+        }
+        out
+    };
+    let gain = power(ratio(-1, 1));
+    let slope: Vec<_> = gain.iter().enumerate().skip(1).map(|(k, c)| c * ratio(k as i64, 1)).collect();
+    let coefficient = |n: usize| {
+        let product = multiply(&slope, &power(ratio(-(n as i64), 2)), n);
+        &product[n - 1] / ratio(n as i64, 1)
+    };
+    (0..len).map(|n| if n == 0 { BigRational::one() } else { coefficient(n) }).collect()
+}

@@ -67,7 +67,7 @@ fn digits_lost_in_f64() {
     let rounded: Vec<f64> = series.iter().map(Ball::to_f64).collect();
     let exactly_rounded: Vec<_> = rounded.iter().map(|c| BigRational::from_float(*c).unwrap()).collect();
     let mut lines = vec![
-        "type     constants: inputs rounded  all in f64    value at u = 1: inputs rounded  all in f64"
+        "type     constants: inputs rounded  all in f64    value at u = 1: inputs rounded  all in f64    at u = 2: inputs rounded  all in f64"
             .to_owned(),
     ];
     for (l, m) in

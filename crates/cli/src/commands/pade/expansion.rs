@@ -8,7 +8,7 @@ use restitution_direct::{Collision, End, saturation_speed};
 use restitution_law::ForceLaw;
 use restitution_pade::{AtInfinity, Sample};
 use restitution_real::Ball;
-use restitution_series::{Quantity, coefficients, zero_force_coefficients};
+use restitution_series::{DelayedRecovery, Quantity, coefficients};
 use std::collections::HashMap;
 use std::sync::Mutex;
 
@@ -91,8 +91,7 @@ impl Expansion {
                 a.into_iter().enumerate().map(|(k, a)| if k % 2 == 1 { -a } else { a }).collect()
             }
             (_, Variable::SqrtU) => {
-                let c = self.known(Quantity::Restitution, count.div_ceil(2), digits)?;
-                c.into_iter().flat_map(|c| [c, Ball::zero()]).take(count).collect()
+                spread(self.known(Quantity::Restitution, count.div_ceil(2), digits)?, count)
             }
         };
         if let Some(constant) = series.first_mut() {
@@ -110,10 +109,15 @@ impl Expansion {
 
     /// `h_k` of `eps = sum h_k u^(k/2)`.
     fn half_powers(&self, count: usize, digits: usize) -> Result<Vec<Ball>, CliError> {
-        let index = count.saturating_sub(1).max(2);
-        let mut values = zero_force_coefficients(&self.law, index, digits).map_err(CliError::failure)?;
-        values.truncate(count);
-        Ok(values)
+        let end = DelayedRecovery::new(&self.law).map_err(CliError::usage)?;
+        match *end.damping_exponent().denom() {
+            2 => self.known(Quantity::DelayedRecovery, count, digits),
+            1 => Ok(spread(self.known(Quantity::DelayedRecovery, count.div_ceil(2), digits)?, count)),
+            steps => Err(CliError::usage(format!(
+                "with the law {} and the end of contact at zero force eps expands in powers of u^(1/{steps}), not of sqrt(u): choose another law or end the contact at zero compression",
+                self.law
+            ))),
+        }
     }
 
     /// The first `conditions` terms of the expansion at infinity, `eps = (exit speed)/u^(1/p)` and nothing more.
@@ -177,4 +181,9 @@ impl Expansion {
         lock().insert(u.clone(), sample.clone());
         Ok(sample)
     }
+}
+
+/// A series in `u` as one in `sqrt(u)`, with exact zeros between.
+fn spread(series: Vec<Ball>, count: usize) -> Vec<Ball> {
+    series.into_iter().flat_map(|c| [c, Ball::zero()]).take(count).collect()
 }
