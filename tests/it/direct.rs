@@ -163,3 +163,28 @@ fn what_cannot_be_integrated_is_said() {
     let slow: ForceLaw = "1.001,0.001".parse().unwrap();
     assert!(matches!(saturation_radius(&slow, 10), Err(DirectError::SlowSaturation { .. })));
 }
+
+#[test]
+fn the_series_and_the_integration_agree_at_small_damping() {
+    use restitution_series::{Quantity, coefficients};
+    // At u = 1/10 the terms fall by 1.39 * 10 each: 35 of them leave less than 10^-39.
+    for (law, digits) in [("3/2,1/2", 36), ("2,1", 30)] {
+        let c = coefficients(Quantity::Restitution, &law.parse().unwrap(), 35, 45).unwrap();
+        let u = Ball::from_ratio(1, 10, 160);
+        let sum = c.iter().rev().fold(Ball::from_integer(0, 160), |sum, c| sum * &u + c);
+        let epsilon = collision(law, End::ZeroCompression).epsilon(&ratio(1, 10), 45).unwrap();
+        assert_eq!(epsilon.to_digits(digits), sum.to_digits(digits), "{law}");
+    }
+}
+
+#[test]
+fn a_collision_run_backwards_undoes_itself() {
+    // epsilon(u) epsilon(-u epsilon(u)^(1/5)) = 1, the second factor from the series (|argument| < 0.05).
+    use restitution_series::{Quantity, coefficients};
+    let c = coefficients(Quantity::Restitution, &ForceLaw::viscoelastic_spheres(), 24, 45).unwrap();
+    let u = ratio(1, 20);
+    let epsilon = spheres().epsilon(&u, 45).unwrap();
+    let back = -(Ball::from_rational(&u, 160) * epsilon.fifth_root());
+    let gained = c.iter().rev().fold(Ball::from_integer(0, 160), |sum, c| sum * &back + c);
+    assert_eq!((epsilon * gained).to_digits(34), Ball::from_integer(1, 160).to_digits(34));
+}

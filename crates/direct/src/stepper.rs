@@ -2,7 +2,7 @@ use crate::error::DirectError;
 use rug::Float;
 
 /// Attempts that one collision may take before it is given up.
-const ATTEMPTS: u32 = 200_000;
+const ATTEMPTS: u32 = 50_000;
 /// Halvings of one step before it is given up.
 const HALVINGS: u32 = 200;
 
@@ -48,7 +48,7 @@ impl Stepper {
                 break;
             }
             if let Some((reached, slope)) = attempt(length) {
-                let factor = (0.9 * (slope - self.wanted).exp2()).clamp(0.3, 3.0);
+                let factor = (0.7 * (slope - self.wanted).exp2()).clamp(0.3, 3.0);
                 self.length = length * factor;
                 return Ok(reached);
             }

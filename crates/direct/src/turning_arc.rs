@@ -140,14 +140,16 @@ fn defect(field: &Field, problem: &Problem, series: &Series, range: &Range) -> O
     let in_ratio = Envelope::with_slope(&series.ratio, bits, slope);
     let tail = upper_half(in_y, in_ratio, order);
     let last = size(&series.product[order - 1..], bits);
-    if !lower_is_within(&(&tail + &last), bits) {
+    // The error of y is that of F over the force 1 + v K, which may be huge.
+    let start_force = from_fixed(&series.force, bits, BOUND_BITS) + unit(bits);
+    let size_bits = series.force.significant_bits().saturating_sub(bits + 1);
+    if !lower_is_within(&((&tail + &last) * power_of_two(-i64::from(size_bits))), bits) {
         return None;
     }
     let n = Ball::from_integer(i64::try_from(order).ok()?, BOUND_BITS);
     let one = Ball::from_integer(1, BOUND_BITS);
     let start = from_fixed(&series.y[0], bits, BOUND_BITS);
     // (i) the equation of motion with the computed K
-    let start_force = from_fixed(&series.force, bits, BOUND_BITS) + unit(bits);
     let rounding =
         unit(bits) * (&n * (start_force + Ball::from_integer(3, BOUND_BITS)) + &range.change + &one);
     let motion = rounding + &problem.right_error + tail.shifted(1) + last + unit(bits);
@@ -156,7 +158,8 @@ fn defect(field: &Field, problem: &Problem, series: &Series, range: &Range) -> O
     let power = unit(bits) * n * (start + one) + tail * weight;
     let ratio_off = &range.bend * (&problem.ratio_error + power / &range.lowest);
     let total = motion + ratio_off.shifted(1) * &range.change;
-    Some((upper_bound(&total), in_y.decay_seen(order).min(in_ratio.decay_seen(order))))
+    let relative = Envelope { top: in_ratio.top - f64::from(size_bits), ..in_ratio };
+    Some((upper_bound(&total), in_y.decay_seen(order).min(relative.decay_seen(order))))
 }
 
 /// `c = (a - gamma)/(a + 1)`.
