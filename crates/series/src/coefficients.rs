@@ -23,7 +23,7 @@ pub enum Quantity {
 /// Bits that ball arithmetic loses for each order in the damping; see `docs/stability.md`.
 const BITS_PER_ORDER: usize = 5;
 /// Working precision above which no further attempt is made.
-const MAX_BITS: u32 = 4_000_000;
+const MAX_BITS: usize = 4_000_000;
 
 /// Returns the coefficients of order `0 ..= order`, each enclosed so narrowly that `digits` decimals are proved.
 ///
@@ -71,13 +71,21 @@ pub fn coefficients_watched(
     let delay = (quantity == Quantity::DelayedRecovery).then(|| Delay::new(law, order)).transpose()?;
     let order = delay.as_ref().map_or(order, Delay::whole_order);
     let tail = TailBound::find(law, damping_order_for(quantity, order))?;
+    let limit = (16 * wanted + 64 * order + 4096).min(MAX_BITS);
     loop {
-        let bits = u32::try_from(wanted + spare).ok().filter(|&bits| bits <= MAX_BITS);
-        let exhausted = RealError::PrecisionExhausted { digits, reached_bits: MAX_BITS };
+        let bits = u32::try_from(wanted + spare).ok().filter(|&bits| bits as usize <= limit);
+        let exhausted = RealError::PrecisionExhausted { digits, reached_bits: limit as u32 };
         let bits = bits.ok_or(SeriesError::Real(exhausted))?;
         // The tail is not magnified on its way to the sums, so it may take up half of what is to spare.
         let tail_bits = bits - u32::try_from(spare / 2).unwrap_or(0);
-        let expansion = expand(law, order, bits, (&tail, tail_bits), watch)?;
+        let expansion = match expand(law, order, bits, (&tail, tail_bits), watch) {
+            // A leading coefficient that may be zero at this precision.
+            Err(SeriesError::ZeroConstantTerm { .. } | SeriesError::NoPower { .. }) => {
+                spare *= 2;
+                continue;
+            }
+            outcome => outcome?,
+        };
         let values = match &delay {
             Some(delay) => delay.coefficients(&expansion.restitution)?,
             None => expansion.select(quantity),

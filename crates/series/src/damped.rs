@@ -119,7 +119,9 @@ fn friction_at_order_zero<T: Field>(law: &ForceLaw, f: &[T], reciprocal: &T::Fac
 /// Newton's iteration with `1/H` carried along: `H <- H (1 + theta^(-1)((rate H - theta H)/H))`.
 fn exponential<T: Field>(rate: &[T]) -> Vec<T> {
     let len = rate.len();
-    let (mut h, mut inverse) = (vec![T::one()], vec![T::one()]);
+    // With the precision of the rate, which its zero constant term need not have.
+    let one = rate.iter().find(|c| !c.is_zero()).map_or_else(T::one, |c| c.ratio(1, 1));
+    let (mut h, mut inverse) = (vec![one.clone()], vec![one]);
     while h.len() < len {
         let known = h.len();
         let next = (2 * known).min(len);

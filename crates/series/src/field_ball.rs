@@ -35,6 +35,16 @@ impl Field for Ball {
         power.is_finite().then_some(power)
     }
 
+    /// Every coefficient is scaled at the largest precision among them, constants included.
+    fn scale_each(series: &[Self], weights: &dyn Fn(usize) -> (i64, i64)) -> Vec<Self> {
+        let prec = series.iter().map(Self::prec).max().unwrap_or(64);
+        let scale = |(j, x): (usize, &Self)| {
+            let (numerator, denominator) = weights(j);
+            x * Self::from_integer(numerator, prec) / Self::from_integer(denominator, 64)
+        };
+        series.iter().enumerate().map(scale).collect()
+    }
+
     fn factor(series: &[Self], len: usize) -> Self::Factor {
         BallVector::new(series, len)
     }

@@ -312,7 +312,7 @@ pub(crate) fn unit_power<T: Field>(f: &[T], (numerator, denominator): (i64, i64)
     let mut g: Vec<T> = Vec::with_capacity(f.len());
     for k in 0..f.len() {
         if k == 0 {
-            g.push(T::one());
+            g.push(f[0].ratio(1, 1));
             continue;
         }
         let mut with_index = T::zero();

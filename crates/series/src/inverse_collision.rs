@@ -61,5 +61,5 @@ fn negated_identity<T: Field>(len: usize) -> FractionalSeries<T> {
 fn scaled_to_one<T: Field>(compression: &[T]) -> Result<Vec<T>, SeriesError> {
     let inverse = reciprocal(&compression[..1])?;
     let rest = compression[1..].iter().map(|c| inverse[0].times(c));
-    Ok(std::iter::once(T::one()).chain(rest).collect())
+    Ok(std::iter::once(inverse[0].ratio(1, 1)).chain(rest).collect())
 }

@@ -39,7 +39,7 @@ impl<T: Field> Undamped<T> {
 /// `j (F^a)_j = sum_(i=1..j) (a i - (j-i)) q_i (F^a)_(j-i)`.
 fn first_terms<T: Field>(law: &ForceLaw, terms: usize, units: &Units<T>) -> (Vec<T>, Vec<T>) {
     let lattice = law.lattice();
-    let one = T::one();
+    let one = units.elastic.ratio(1, 1);
     let (mut f, mut force) = (vec![one.clone()], vec![one]);
     for j in 1..as_i64(terms) {
         let e = lattice.elastic * j;
@@ -57,7 +57,7 @@ fn first_terms<T: Field>(law: &ForceLaw, terms: usize, units: &Units<T>) -> (Vec
 
 /// `1/(F F^a)` to as many terms as are given, term by term.
 fn first_reciprocal<T: Field>(f: &[T], force: &[T]) -> Vec<T> {
-    extend_reciprocal(vec![T::one()], f, force, f.len())
+    extend_reciprocal(vec![f[0].clone()], f, force, f.len())
 }
 
 /// Newton's iteration `z <- z (2 - z F F^a)` for the reciprocal of a series that begins with 1.
