@@ -150,7 +150,7 @@ pub fn report(
     table.said("largest_error", &label, Cell::digits(error_bound(&worst.error)));
     table.said("largest_error_at", "seen at u", Cell::digits(decimal(&worst.at)));
     let reach = match reach(expansion, judged, &request.level)? {
-        Reach::Everywhere => FARTHEST.to_string(),
+        Reach::Everywhere => format!("{FARTHEST} or more"),
         Reach::UpTo(u) => decimal(&u),
     };
     let label = format!("relative error at most {} up to u", error_text(&request.level));
