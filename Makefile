@@ -24,6 +24,7 @@ doc: tools
 	RUSTDOCFLAGS=-Dwarnings $(CARGO) doc --workspace --no-deps --locked --quiet
 
 bench: tools ## measure speed, ours beside what it is compared with
+	RUSTFLAGS=-Ctarget-cpu=native $(CARGO) bench --locked --quiet --package restitution --target-dir target/native --bench evaluator
 	$(CARGO) bench --workspace --locked --quiet
 
 bench-peers: tools bench/.venv/ready ## measure the series engine against FLINT and PARI/GP in one run

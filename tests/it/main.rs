@@ -2,11 +2,14 @@
 
 mod approximate;
 mod bounds;
+mod certified;
 mod citations;
 mod codes;
 mod dimensional;
 mod direct;
 mod direct_hard;
+mod export;
+mod fast_vs_direct;
 mod fit;
 mod materials;
 mod pade_constants;
@@ -15,4 +18,7 @@ mod pade_contact;
 mod pade_series;
 mod pade_stability;
 mod support;
+mod tables_fresh;
+mod tiers;
 mod time_step;
+mod velocity;

@@ -9,6 +9,7 @@ pub mod args;
 pub mod commands;
 pub mod error;
 pub mod exact;
+pub mod export;
 pub mod interrupt;
 pub mod memory;
 pub mod output;

@@ -1,13 +1,12 @@
-use crate::{End, epsilon, zero_compression, zero_force};
+use crate::{End, zero_compression, zero_force};
 
 /// Arguments that are looked at together.
-const BLOCK: usize = 256;
+const BLOCK: usize = 32;
 
 /// Writes `epsilon(u)` of each element to `out`, as far as the shorter of the two slices reaches.
 ///
-/// Every value is the one [`epsilon`] gives, to the bit. Blocks whose arguments all lie on the tables run
-/// without branches, which the compiler vectorises (with gathers, on AVX2 and AVX-512); other blocks go
-/// element by element.
+/// Every value is the one [`epsilon`] gives, to the bit. Blocks run without branches where they can, which the
+/// compiler vectorises, with gathers where the target has them.
 ///
 /// # Examples
 ///
@@ -23,20 +22,31 @@ const BLOCK: usize = 256;
 pub fn epsilon_batch(u: &[f64], out: &mut [f64], end: End) {
     for (u, out) in u.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
         match end {
-            End::ZeroCompression if lie_within(u, 0.0, zero_compression::FAR) => {
-                each(u, out, zero_compression::epsilon_within);
-            }
-            End::ZeroForce if lie_within(u, zero_force::NEAR_END, zero_force::FAR) => {
-                each(u, out, zero_force::epsilon_within);
-            }
-            End::ZeroForce if lie_within(u, 0.0, zero_force::NEAR_END) => {
-                each(u, out, |u| 1.0 - zero_force::near(u));
-            }
-            End::ZeroForce if lie_within(u, 0.0, zero_force::FAR) => {
-                each(u, out, zero_force::epsilon_to_far);
-            }
-            _ => each(u, out, |u| epsilon(u, end)),
+            End::ZeroCompression => compression_block(u, out),
+            End::ZeroForce => force_block(u, out),
         }
+    }
+}
+
+fn compression_block(u: &[f64], out: &mut [f64]) {
+    if lie_within(u, 0.0, zero_compression::FAR) {
+        each(u, out, zero_compression::epsilon_within);
+    } else if lie_within(u, 0.0, zero_compression::LARGE) {
+        each(u, out, zero_compression::epsilon_to_large);
+    } else {
+        each(u, out, zero_compression::epsilon);
+    }
+}
+
+fn force_block(u: &[f64], out: &mut [f64]) {
+    if lie_within(u, zero_force::NEAR_END, zero_force::FAR) {
+        each(u, out, zero_force::epsilon_within);
+    } else if lie_within(u, 0.0, zero_force::NEAR_END) {
+        each(u, out, |u| 1.0 - zero_force::near(u));
+    } else if lie_within(u, 0.0, zero_force::FAR) {
+        each(u, out, zero_force::epsilon_to_far);
+    } else {
+        each(u, out, zero_force::epsilon);
     }
 }
 
@@ -55,6 +65,7 @@ fn each(u: &[f64], out: &mut [f64], f: impl Fn(f64) -> f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::epsilon;
 
     #[test]
     fn a_batch_gives_what_single_calls_give() {

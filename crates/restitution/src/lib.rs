@@ -5,9 +5,11 @@ mod batch;
 mod end;
 mod epsilon;
 mod fifth_root;
+mod inverse;
 mod pieces;
 mod rounding;
 mod tables;
+pub mod tiers;
 mod velocity;
 mod zero_compression;
 mod zero_force;
@@ -53,6 +55,7 @@ pub use error::MaterialError;
 pub use fifth_root::fifth_root;
 #[cfg(feature = "std")]
 pub use fit::{Fit, Loss, fit};
+pub use inverse::u_of_epsilon;
 #[cfg(feature = "std")]
 pub use material::{Material, Sphere, sphere_mass};
 #[cfg(feature = "std")]

@@ -1,24 +1,24 @@
 //! The contact that ends at zero compression.
 
 use crate::fifth_root::Root;
-use crate::pieces::Grid;
 use crate::rounding::{multiply_add, two_product};
-use crate::tables::zero_compression::{NEAR, PIECES, R5};
+use crate::tables::zero_compression::{GRID, NEAR, PIECES, R5};
 
-/// Pieces of 1/64 from 0 to 7.
-pub(crate) const GRID: Grid = Grid::new(8.0, 9, 0.0);
-/// Below, `1 - epsilon` has a polynomial of its own.
-pub(crate) const NEAR_END: f64 = 1.0 / 32.0;
-/// Above, `epsilon u^5` is `R^5` to 1e-18.
-pub(crate) const FAR: f64 = 7.0;
+pub(crate) use crate::tables::zero_compression::{FAR, NEAR_END};
+
 /// What the rounded `R^5` lacks, relative to it.
 const R5_RESIDUAL: f64 = R5[1] / R5[0];
+
+/// Below, `epsilon` is 1; the table gives that but for its rounding.
+const NOTHING_LOST: f64 = f64::EPSILON / 16.0;
+/// Below, no power of `u` overflows and no `u^(-5)` is subnormal.
+pub(crate) const LARGE: f64 = f64::from_bits((1023 + 150) << 52);
 
 #[inline(always)]
 pub(crate) fn epsilon(u: f64) -> f64 {
     let (index, centre) = GRID.locate(u);
     match PIECES.get(index) {
-        Some(piece) if u >= 0.0 => piece.value(u - centre),
+        Some(piece) if u >= NOTHING_LOST => piece.value(u - centre),
         _ => beyond(u, 0.0),
     }
 }
@@ -27,7 +27,15 @@ pub(crate) fn epsilon(u: f64) -> f64 {
 #[inline(always)]
 pub(crate) fn epsilon_within(u: f64) -> f64 {
     let (index, centre) = GRID.locate(u);
-    PIECES[index.min(PIECES.len() - 1)].value(u - centre)
+    let value = PIECES[index.min(PIECES.len() - 1)].value(u - centre);
+    if u >= NOTHING_LOST { value } else { 1.0 }
+}
+
+/// `epsilon` for `0 <= u < LARGE`, also without a branch.
+#[inline(always)]
+pub(crate) fn epsilon_to_large(u: f64) -> f64 {
+    let (within, beyond) = (epsilon_within(u), inverse_fifth_power(u, 0.0));
+    if u < FAR { within } else { beyond }
 }
 
 #[inline(always)]
@@ -66,7 +74,7 @@ fn far_root(root: Root) -> f64 {
     beyond(u, root.distance(u))
 }
 
-/// `epsilon(u + low)` for `u >= FAR`, and what is not a velocity.
+/// `epsilon(u + low)` for `u >= FAR`, for next to no `u`, and for what is not a velocity.
 ///
 /// ```text
 /// epsilon = R^5/u^5 (1 + O(1e-18))
@@ -75,12 +83,14 @@ fn far_root(root: Root) -> f64 {
 /// The roundings of the powers are carried along; those of their sum and of the division remain.
 #[cold]
 fn beyond(u: f64, low: f64) -> f64 {
-    const LARGE: f64 = f64::from_bits((1023 + 150) << 52);
     const SCALE: f64 = f64::from_bits((1023 - 100) << 52);
     const SCALE_TO_5: f64 = f64::from_bits((1023 - 500) << 52);
     const ALL_STOPPED: f64 = f64::from_bits((1023 + 216) << 52);
+    if u < NOTHING_LOST {
+        return if u >= 0.0 { 1.0 } else { f64::NAN };
+    }
     if u < LARGE {
-        return if u >= 0.0 { inverse_fifth_power(u, low) } else { f64::NAN };
+        return inverse_fifth_power(u, low);
     }
     if u >= ALL_STOPPED {
         return 0.0;
@@ -88,7 +98,7 @@ fn beyond(u: f64, low: f64) -> f64 {
     inverse_fifth_power(u * SCALE, low * SCALE) * SCALE_TO_5 // NaN comes through here
 }
 
-#[inline]
+#[inline(always)]
 fn inverse_fifth_power(u: f64, low: f64) -> f64 {
     let (u2, error2) = two_product(u, u);
     let (u4, error4) = two_product(u2, u2);

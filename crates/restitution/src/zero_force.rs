@@ -3,14 +3,10 @@
 use crate::fifth_root::Root;
 use crate::pieces::{Grid, polynomial};
 use crate::rounding::{multiply_add, square_root, two_product};
-use crate::tables::zero_force::{BEYOND, LIMIT, NEAR_HALVES, NEAR_WHOLES, PIECES};
+use crate::tables::zero_force::{BEYOND, GRID, LIMIT, NEAR_HALVES, NEAR_WHOLES, PIECES};
 
-/// Below, `epsilon` is a polynomial in `u` and one in `u` times `u^(5/2)`.
-pub(crate) const NEAR_END: f64 = 1.0 / 16.0;
-/// Above, `epsilon u^(5/3)` is a function of `u^(-1/3)`.
-pub(crate) const FAR: f64 = 15.5;
-/// Pieces of 1/64 of a factor of two in `u + 1/2`, from [`NEAR_END`] to [`FAR`].
-pub(crate) const GRID: Grid = Grid::new(0.5, 6, NEAR_END);
+pub(crate) use crate::tables::zero_force::{FAR, NEAR_END};
+
 /// Pieces of 1/32 of a factor of two in `u^(-1/3) + 1/16`.
 const GRID_BEYOND: Grid = Grid::new(1.0 / 16.0, 5, 0.0);
 
@@ -93,19 +89,20 @@ fn far_root(root: Root) -> f64 {
 fn beyond(u: f64, low: f64) -> f64 {
     const LARGE: f64 = f64::from_bits((1023 + 300) << 52);
     const SCALE: f64 = f64::from_bits((1023 - 300) << 52);
+    const SCALED_ROOT: f64 = f64::from_bits((1023 - 100) << 52);
     const SCALED_POWER: f64 = f64::from_bits((1023 - 500) << 52);
     if u < LARGE {
-        return if u >= 0.0 { power_law(u, low) } else { f64::NAN };
+        return if u >= 0.0 { power_law(u, low, 1.0) } else { f64::NAN };
     }
     if u.is_infinite() {
         return 0.0;
     }
-    power_law(u * SCALE, low * SCALE) * SCALED_POWER // s is 0 here; NaN comes through
+    power_law(u * SCALE, low * SCALE, SCALED_ROOT) * SCALED_POWER // NaN comes through
 }
 
 /// The power law, with `u^(-1/3) = r (1 - d)^(-1/3)`, `d = 1 - u r^3`, and `r` of 17 bits so that its
-/// cube is exact; the roundings of `r^5 (3/2)^(2/3)` are carried along.
-fn power_law(u: f64, low: f64) -> f64 {
+/// cube is exact; the roundings of `r^5 (3/2)^(2/3)` are carried along. `root_scale` turns `u^(-1/3)` of a scaled `u` back.
+fn power_law(u: f64, low: f64, root_scale: f64) -> f64 {
     let r = short_inverse_cube_root(u);
     let (r2, r3) = (r * r, r * r * r);
     let (product, error) = two_product(u, r3);
@@ -113,7 +110,7 @@ fn power_law(u: f64, low: f64) -> f64 {
     let (r5, r5_error) = two_product(r2, r3);
     let (whole, error) = two_product(r5, LIMIT[0]);
     let power = d * (5.0 / 3.0 + d * (20.0 / 9.0 + d * (220.0 / 81.0 + d * (770.0 / 243.0))));
-    let argument = r * (1.0 + d * (1.0 / 3.0 + d * (2.0 / 9.0 + d * (14.0 / 81.0))));
+    let argument = root_scale * r * (1.0 + d * (1.0 / 3.0 + d * (2.0 / 9.0 + d * (14.0 / 81.0))));
     let (index, centre) = GRID_BEYOND.locate(argument);
     let correction = polynomial(&BEYOND[index.min(BEYOND.len() - 1)], argument - centre);
     let factor = power + correction + power * correction - low / u * (5.0 / 3.0);

@@ -15,6 +15,7 @@
 
 pub mod completions;
 pub mod epsilon;
+pub mod export;
 pub mod fit;
 pub mod material;
 pub mod pade;
@@ -43,6 +44,8 @@ pub enum Command {
     Trajectory(trajectory::TrajectoryArgs),
     /// Print coefficients of restitution by certified direct integration
     Epsilon(Box<epsilon::EpsilonArgs>),
+    /// Write an evaluator of epsilon(u) in Rust, C, Fortran or Python
+    Export(export::ExportArgs),
     /// Write the completions of a shell, or the manual page
     Completions(completions::CompletionsArgs),
     /// Fit the characteristic velocity g* to measured coefficients of restitution
@@ -74,6 +77,7 @@ impl Command {
             Self::Table(args) => args.run(),
             Self::Trajectory(args) => args.run(),
             Self::Epsilon(args) => args.run(),
+            Self::Export(args) => args.run(),
             Self::Completions(args) => args.run(),
             Self::Fit(args) => args.run(),
             Self::Material(args) => args.run(),

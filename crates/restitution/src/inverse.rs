@@ -1,0 +1,145 @@
+use crate::pieces::{Grid, Piece};
+use crate::tables::{zero_compression as compression, zero_force as force};
+use crate::{End, epsilon, fifth_root, zero_compression, zero_force};
+
+/// Steps after which an iteration has long been where it ends.
+const STEPS: usize = 40;
+
+/// Returns the `u` at which the coefficient of restitution is `epsilon`: the inverse of [`crate::epsilon`].
+///
+/// 0 for 1, infinite for 0, NaN outside `[0, 1]`.
+///
+/// A table is searched for the piece, then Newton's iteration runs in it; near 0 and at large `u` the
+/// iteration runs on the forms that hold there.
+///
+/// # Error bound
+///
+/// The rounding of the result, and a change of the coefficient asked for by 2 ulp: as
+/// `|d ln epsilon/d ln u| <= 5`, the coefficient at the result is within 1e-15 of the one asked for,
+/// relative to it. Where that is close to 1, so is `1 - epsilon` to `1 - epsilon(u)`.
+///
+/// # Examples
+///
+/// ```
+/// use restitution::{End, epsilon, u_of_epsilon};
+///
+/// let u = u_of_epsilon(0.5, End::ZeroForce);
+/// assert!((epsilon(u, End::ZeroForce) - 0.5).abs() < 3e-16);
+/// assert_eq!(u_of_epsilon(1.0, End::ZeroForce), 0.0);
+/// assert!(u_of_epsilon(1.1, End::ZeroForce).is_nan());
+/// ```
+#[must_use]
+pub fn u_of_epsilon(epsilon: f64, end: End) -> f64 {
+    if !(0.0..=1.0).contains(&epsilon) {
+        return f64::NAN;
+    }
+    if epsilon == 0.0 {
+        return f64::INFINITY;
+    }
+    let lost = 1.0 - epsilon;
+    match end {
+        End::ZeroCompression if lost < zero_compression::near(compression::NEAR_END) => {
+            near_zero(lost, zero_compression::near)
+        }
+        End::ZeroForce if lost < zero_force::near(force::NEAR_END) => near_zero(lost, zero_force::near),
+        End::ZeroCompression if epsilon >= crate::epsilon(compression::FAR, end) => {
+            in_table(&compression::PIECES, &compression::GRID, epsilon)
+        }
+        End::ZeroForce if epsilon >= crate::epsilon(force::FAR, end) => {
+            in_table(&force::PIECES, &force::GRID, epsilon)
+        }
+        End::ZeroCompression => saturated(epsilon),
+        End::ZeroForce => overdamped(epsilon),
+    }
+}
+
+/// Solves `1 - epsilon(u) = lost` by Newton's iteration with the slope at 0.
+fn near_zero(lost: f64, loss: impl Fn(f64) -> f64) -> f64 {
+    let mut u = lost / compression::NEAR[0];
+    for _ in 0..STEPS {
+        let step = (lost - loss(u)) / compression::NEAR[0];
+        u += step;
+        if step.abs() <= u * f64::EPSILON / 4.0 {
+            break;
+        }
+    }
+    u
+}
+
+/// Finds the piece by halving, as `epsilon` falls, then solves `c_0 + t slope(t) = epsilon`.
+fn in_table(pieces: &[Piece], grid: &Grid, epsilon: f64) -> f64 {
+    let value = |index: usize| pieces[index].coefficients[0];
+    let below = pieces.partition_point(|piece| piece.coefficients[0] > epsilon).clamp(1, pieces.len() - 1);
+    let nearer_above = value(below - 1) - epsilon < epsilon - value(below);
+    let index = if nearer_above { below - 1 } else { below };
+    let piece = &pieces[index];
+    let [value, slope, ..] = piece.coefficients;
+    let wanted = if epsilon > 0.5 { piece.complement - (1.0 - epsilon) } else { epsilon - value };
+    let mut t = wanted / slope;
+    for _ in 0..STEPS {
+        let next = wanted / piece.slope(t);
+        let change = (next - t).abs();
+        t = next;
+        if change <= t.abs() * f64::EPSILON {
+            break;
+        }
+    }
+    grid.centre(index) + t
+}
+
+/// `u = (R^5/epsilon)^(1/5)`.
+fn saturated(epsilon: f64) -> f64 {
+    const TWO_TO_200: f64 = f64::from_bits((1023 + 200) << 52);
+    const TWO_TO_40: f64 = f64::from_bits((1023 + 40) << 52);
+    fifth_root(compression::R5[0] / (epsilon * TWO_TO_200)) * TWO_TO_40
+}
+
+/// From `u = ((3/2)^(2/3)/epsilon)^(3/5)`, by the ratio that is still missing.
+fn overdamped(wanted: f64) -> f64 {
+    const TWO_TO_500: f64 = f64::from_bits((1023 + 500) << 52);
+    const TWO_TO_300: f64 = f64::from_bits((1023 + 300) << 52);
+    let root = fifth_root(force::LIMIT[0] / (wanted * TWO_TO_500));
+    let mut u = root * root * root * TWO_TO_300;
+    if wanted < 1e-250 {
+        return u;
+    }
+    for _ in 0..STEPS {
+        let ratio = epsilon(u, End::ZeroForce) / wanted - 1.0;
+        u += u * (0.6 * ratio);
+        if ratio.abs() <= 2.0 * f64::EPSILON {
+            break;
+        }
+    }
+    u
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ends_of_the_interval() {
+        for end in [End::ZeroCompression, End::ZeroForce] {
+            assert_eq!(u_of_epsilon(1.0, end), 0.0);
+            assert_eq!(u_of_epsilon(0.0, end), f64::INFINITY);
+            for wrong in [-1e-300, 1.0 + f64::EPSILON, f64::NAN, f64::INFINITY] {
+                assert!(u_of_epsilon(wrong, end).is_nan());
+            }
+            assert!(u_of_epsilon(5e-324, end).is_finite());
+        }
+    }
+
+    #[test]
+    fn the_way_there_and_back() {
+        for i in 1..2000 {
+            for wanted in [f64::from(i) / 2000.0, 0.99_f64.powi(i), 1.0 - 0.985_f64.powi(i)] {
+                for end in [End::ZeroCompression, End::ZeroForce] {
+                    let back = epsilon(u_of_epsilon(wanted, end), end);
+                    let lost = crate::one_minus_epsilon(u_of_epsilon(wanted, end), end);
+                    assert!(wanted < 0.5 || (lost / (1.0 - wanted) - 1.0).abs() <= 1e-15, "{wanted}: {lost}");
+                    assert!((back / wanted - 1.0).abs() <= 1e-15, "{wanted}: {back}");
+                }
+            }
+        }
+    }
+}

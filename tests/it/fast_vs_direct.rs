@@ -1,0 +1,132 @@
+//! The f64 evaluator against certified values: the errors that its documentation states.
+
+use crate::certified::{exact, reference, ulps};
+use restitution::{End, epsilon, one_minus_epsilon};
+use rug::Float;
+
+/// Points of the main comparison, by ratio over [`RANGE`].
+const POINTS: usize = 1_000_000;
+const RANGE: (f64, f64) = (1e-8, 1e3);
+/// The bounds of the documentation, in ulp.
+const EPSILON_BOUND: f64 = 2.0;
+const ONE_MINUS_EPSILON_BOUND: f64 = 4.0;
+const ENDS: [End; 2] = [End::ZeroCompression, End::ZeroForce];
+
+/// The largest errors seen, in ulp, with their places.
+#[derive(Clone, Copy, Default)]
+struct Worst {
+    epsilon: (f64, f64),
+    one_minus_epsilon: (f64, f64),
+}
+
+impl Worst {
+    fn over(end: End, points: impl Iterator<Item = f64>) -> Self {
+        let reference = reference(end);
+        points.fold(Self::default(), |worst, u| {
+            let (lost, kept) = exact(reference, u);
+            worst.max(Self {
+                epsilon: (ulps(epsilon(u, end), &kept), u),
+                one_minus_epsilon: (ulps(one_minus_epsilon(u, end), &lost), u),
+            })
+        })
+    }
+
+    fn max(self, other: Self) -> Self {
+        let larger = |a: (f64, f64), b: (f64, f64)| if b.0 <= a.0 { a } else { b }; // NaN wins
+        Self {
+            epsilon: larger(self.epsilon, other.epsilon),
+            one_minus_epsilon: larger(self.one_minus_epsilon, other.one_minus_epsilon),
+        }
+    }
+
+    fn check(self, what: &str) {
+        let Self { epsilon: (e, at), one_minus_epsilon: (lost, lost_at) } = self;
+        println!("{what}: epsilon {e:.3} ulp at {at:e}, one_minus_epsilon {lost:.3} ulp at {lost_at:e}");
+        assert!(e <= EPSILON_BOUND && lost <= ONE_MINUS_EPSILON_BOUND, "{what}");
+    }
+}
+
+/// `count` points by ratio, each at a place of its own within its step.
+fn by_ratio(
+    count: usize,
+    (low, high): (f64, f64),
+    part: std::ops::Range<usize>,
+) -> impl Iterator<Item = f64> {
+    part.map(move |i| {
+        let jitter = (i as f64 * 0.618_033_988_749_894_9).fract();
+        low * (high / low).powf((i as f64 + jitter) / count as f64)
+    })
+}
+
+#[test]
+fn a_million_points_by_ratio() {
+    for end in ENDS {
+        reference(end);
+        let worst = std::thread::scope(|scope| {
+            let halves = [0..POINTS / 2, POINTS / 2..POINTS];
+            let threads = halves.map(|half| scope.spawn(|| Worst::over(end, by_ratio(POINTS, RANGE, half))));
+            threads.map(|thread| thread.join().unwrap()).into_iter().fold(Worst::default(), Worst::max)
+        });
+        worst.check(&format!("{end:?}, {POINTS} points"));
+    }
+}
+
+#[test]
+fn every_breakpoint_and_its_neighbours() {
+    let compression = (0..=448).map(|i| f64::from(i) / 64.0).chain([1.0 / 32.0]);
+    Worst::over(End::ZeroCompression, neighbours(compression)).check("ZeroCompression, breakpoints");
+    let force = (0..5 * 64).map(|i| (0.5 + f64::from(i % 64) / 128.0) * 2.0_f64.powi(i / 64) - 0.5);
+    let force = force.chain([1.0 / 16.0, 15.5]).filter(|u| *u >= 0.0);
+    Worst::over(End::ZeroForce, neighbours(force)).check("ZeroForce, breakpoints");
+    let beyond = (0..5 * 32).map(|i| (1.0 + f64::from(i % 32) / 32.0) * 2.0_f64.powi(i / 32 - 4) - 0.0625);
+    let beyond = beyond.filter(|x| *x > 0.0 && *x < 0.402).map(|x| x.powi(-3));
+    Worst::over(End::ZeroForce, neighbours(beyond)).check("ZeroForce, breakpoints beyond");
+}
+
+fn neighbours(points: impl Iterator<Item = f64>) -> impl Iterator<Item = f64> {
+    let around = |u: f64| {
+        let (up, down) = (u.next_up(), u.next_down());
+        [down.next_down(), down, u, up, up.next_up()]
+    };
+    points.flat_map(around).filter(|u| *u >= 0.0)
+}
+
+/// From the last table entry to where the result is subnormal.
+#[test]
+fn large_u() {
+    Worst::over(End::ZeroForce, by_ratio(20_000, (15.0, 1e9), 0..20_000)).check("ZeroForce to 1e9");
+    for end in ENDS {
+        let last = if end == End::ZeroCompression { 1e60 } else { 1e180 };
+        Worst::over(end, by_ratio(4_000, (10.0, last), 0..4_000)).check(&format!("{end:?} to {last:e}"));
+        let tiny = if end == End::ZeroCompression { (1e60, 1e66) } else { (1e180, 1e200) };
+        for u in by_ratio(2_000, tiny, 0..2_000) {
+            let (_, kept) = exact(reference(end), u);
+            let error = Float::with_val(112, epsilon(u, end) - kept);
+            assert!(
+                error.to_f64().abs() <= 5e-324 || ulps(epsilon(u, end), &exact(reference(end), u).1) <= 2.0
+            );
+        }
+    }
+}
+
+#[test]
+fn every_f64_has_a_defined_result() {
+    for end in ENDS {
+        for none in [0.0, -0.0, 5e-324, f64::MIN_POSITIVE, 1e-17] {
+            assert_eq!(epsilon(none, end), 1.0);
+        }
+        assert_eq!((one_minus_epsilon(0.0, end), one_minus_epsilon(-0.0, end)), (0.0, 0.0));
+        assert_eq!(one_minus_epsilon(5e-324, end), 5e-324);
+        for fast in [f64::INFINITY, f64::MAX, 1e300] {
+            assert_eq!((epsilon(fast, end), one_minus_epsilon(fast, end)), (0.0, 1.0));
+        }
+        for wrong in [f64::NAN, -5e-324, -1e-10, -1.0, -7.5, -8.5, -20.0, -1e300, f64::NEG_INFINITY] {
+            assert!(epsilon(wrong, end).is_nan() && one_minus_epsilon(wrong, end).is_nan(), "{wrong:e}");
+        }
+        for u in by_ratio(100_000, (1e-320, 1e-7), 0..100_000).filter(|u| *u > 0.0) {
+            let first = 1.153_448_858_095_288_8 * u;
+            assert!((one_minus_epsilon(u, end) - first).abs() <= first * 1e-7 + 1e-323);
+            assert!(epsilon(u, end) <= 1.0);
+        }
+    }
+}
