@@ -56,6 +56,6 @@ fn interpolation_agrees_with_the_integrator() {
             worst = worst.max(error.to_f64().abs());
         }
         println!("{end:?}: interpolation is within {worst:.1e} of the certified integrator");
-        assert!(worst <= 1e-22, "{end:?}: {worst:e}");
+        assert!(worst <= 1e-27, "{end:?}: {worst:e}");
     }
 }

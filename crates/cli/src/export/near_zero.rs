@@ -44,14 +44,11 @@ fn solve(mut rows: Vec<Vec<Float>>) -> Vec<Float> {
             x.partial_cmp(&y).unwrap_or(std::cmp::Ordering::Equal)
         });
         rows.swap(column, largest.unwrap_or(column));
-        for i in 0..size {
-            if i == column {
-                continue;
-            }
-            let factor = Float::with_val(PREC, &rows[i][column] / &rows[column][column]);
-            for k in column..=size {
-                let part = Float::with_val(PREC, &factor * &rows[column][k]);
-                rows[i][k] -= part;
+        let pivot = rows[column].clone();
+        for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != column) {
+            let factor = Float::with_val(PREC, &row[column] / &pivot[column]);
+            for (entry, above) in row.iter_mut().zip(&pivot).skip(column) {
+                *entry -= Float::with_val(PREC, &factor * above);
             }
         }
     }

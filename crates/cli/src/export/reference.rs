@@ -22,8 +22,8 @@ const DIGITS: usize = 40;
 /// # Error bound
 ///
 /// The values are proved, the interpolation between them is judged: the last coefficients of every arc
-/// are below 1e-24 of the first, and `tests/it/reference.rs` compares with the integrator at points that
-/// are no nodes, to 1e-24 relative.
+/// are below 1e-24 of the first, and `tests/it/certified.rs` compares with the integrator at points that
+/// are no nodes, to 1e-27 relative.
 #[derive(Debug)]
 pub struct Reference {
     end: End,
