@@ -5,7 +5,7 @@ const BLOCK: usize = 32;
 
 /// Writes `epsilon(u)` of each element to `out`, as far as the shorter of the two slices reaches.
 ///
-/// Every value is the one [`epsilon`] gives, to the bit. Blocks run without branches where they can, which the
+/// Every value is the one [`crate::epsilon`] gives, to the bit. Blocks run without branches where they can, which the
 /// compiler vectorises, with gathers where the target has them.
 ///
 /// # Examples

@@ -21,10 +21,10 @@ pub struct ExportArgs {
     #[arg(long, value_name = "LANGUAGE", value_enum)]
     lang: Target,
     /// The largest relative error, from 1e-15 to 0.1
-    #[arg(long, value_name = "T", default_value = "1e-9", value_parser = tolerance)]
+    #[arg(long, value_name = "T", default_value = "1e-9", value_parser = tolerance, allow_hyphen_values = true)]
     tolerance: f64,
     /// The range of u, 0 <= LO < HI <= 1e6
-    #[arg(long, value_name = "LO,HI", default_value = "0,8", value_parser = range)]
+    #[arg(long, value_name = "LO,HI", default_value = "0,8", value_parser = range, allow_hyphen_values = true)]
     range: (f64, f64),
     #[command(flatten)]
     end: EndArgs,
@@ -70,26 +70,27 @@ impl ExportArgs {
             Target::Fortran => Language::Fortran,
             Target::Python => Language::Python,
         };
-        let reference = self.reference()?;
+        // The last piece reaches beyond the range, at most to twice sqrt(HI) + 8 in the variable.
+        let reference = self.reference(4.0 * (self.range.1.sqrt() + 8.0).powi(2))?;
         let pieces = design(&reference, self.tolerance, self.range)?;
         let listing = Listing::new(&reference, pieces, self.tolerance, self.range);
         Ok(language.write(&listing))
     }
 
     fn tables(&self) -> Result<String, CliError> {
-        let reference = self.reference()?;
+        let reference = self.reference(f64::INFINITY)?;
         Ok(match reference.end() {
             End::ZeroCompression => zero_compression_tables(&reference)?,
             End::ZeroForce => zero_force_tables(&reference)?,
         })
     }
 
-    fn reference(&self) -> Result<Reference, CliError> {
+    fn reference(&self, last: f64) -> Result<Reference, CliError> {
         let end = match self.end.end {
             EndOfContact::ZeroCompression => End::ZeroCompression,
             EndOfContact::ZeroForce => End::ZeroForce,
         };
-        Reference::new(end).map_err(CliError::failure)
+        Reference::up_to(end, last).map_err(CliError::failure)
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! [`Reference`] interpolates values of the certified integrator, [`design`] finds the cheapest table
 //! that keeps a tolerance on a range, a [`Listing`] measures it, and [`Language::write`] puts it down.
-//! [`evaluator_tables`] makes the tables of the crate `restitution` in the same way.
+//! `evaluator_tables` makes the tables of the crate `restitution` in the same way.
 
 mod chebyshev;
 mod design;

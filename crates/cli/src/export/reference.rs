@@ -60,12 +60,21 @@ const FORCE_ARCS: [f64; 7] = [0.0, 0.35, 0.7, 1.2, 1.9, 2.8, 4.0];
 const TAIL_ARCS: [f64; 5] = [2.7, 4.0, 6.0, 9.0, 14.0];
 
 impl Reference {
-    /// Interpolates for one end of contact; takes about a second.
+    /// Interpolates for one end of contact and every `u`; takes seconds.
     ///
     /// # Errors
     ///
     /// A [`DirectError`] if the integrator cannot prove a value.
     pub fn new(end: End) -> Result<Self, DirectError> {
+        Self::up_to(end, f64::INFINITY)
+    }
+
+    /// As [`Reference::new`], for `u` up to `last` only.
+    ///
+    /// # Errors
+    ///
+    /// As [`Reference::new`].
+    pub fn up_to(end: End, last: f64) -> Result<Self, DirectError> {
         let law = ForceLaw::viscoelastic_spheres();
         let mut reference = Self { end, arcs: Vec::new(), factor: factor(end, &law)? };
         let collision = Collision::new(&law, direct_end(end))?;
@@ -76,6 +85,9 @@ impl Reference {
         for (shape, ends) in spans {
             for ends in ends.windows(2) {
                 let shape = if ends[0] == 0.0 { Shape::Loss } else { *shape };
+                if reference.u_of(shape, &Float::with_val(PREC, ends[0])) > last {
+                    break;
+                }
                 let arc = reference.interpolate(&collision, shape, ends[0], ends[1])?;
                 reference.arcs.push(arc);
             }

@@ -1,6 +1,7 @@
 //! The command, run as its users run it; one binary.
 
 mod epsilon;
+mod export;
 mod materials;
 mod readme;
 mod shared;
