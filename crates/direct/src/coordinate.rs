@@ -1,3 +1,4 @@
+use crate::phase_arc::LARGEST_DEGREE;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
@@ -34,9 +35,9 @@ impl Coordinate {
         Self { q: &damping / law.damping_step(), elastic: &damping / ratio, damping }
     }
 
-    /// Whether `v(z)` is analytic at `z = 0`.
+    /// Whether `v(z)` is analytic at `z = 0`, and of low enough degree to be expanded there.
     pub(crate) fn crosses_zero(&self) -> bool {
-        self.elastic.is_integer()
+        self.elastic.is_integer() && self.elastic <= BigRational::from_integer(LARGEST_DEGREE.into())
     }
 
     /// `A - B = q (a - gamma)`: the zero-force curve is `z^(A-B) = -u v`.

@@ -218,9 +218,13 @@ impl Powers {
     }
 }
 
+/// The largest degree that is expanded to its end.
+pub(crate) const LARGEST_DEGREE: i64 = 32;
+
 fn powers(n: &BigRational, z: &Ball, h: &Ball, field: &Field) -> Option<Powers> {
     let exponent = n - BigRational::one();
-    if exponent.is_integer() {
+    let short = exponent < BigRational::from_integer(LARGEST_DEGREE.into());
+    if exponent.is_integer() && short {
         return Some(Powers { terms: polynomial(exponent.to_integer().to_i64()?, z, h), tail: zero() });
     }
     branch(&exponent, z, h, field)
@@ -241,7 +245,7 @@ fn polynomial(m: i64, z: &Ball, h: &Ball) -> Vec<Ball> {
 
 /// The same for any exponent, cut off at the order.
 ///
-/// From `j >= m/2` on the ratio of terms is at most `|h/z|`.
+/// From `j = order` on the ratio of terms is at most `|h/z| max(1, (m - order)/(order + 1))`.
 fn branch(m: &BigRational, z: &Ball, h: &Ball, field: &Field) -> Option<Powers> {
     let ratio = h / z;
     let mut term = z.pow(m);
@@ -252,11 +256,9 @@ fn branch(m: &BigRational, z: &Ball, h: &Ball, field: &Field) -> Option<Powers> 
         let factor = (m - BigRational::from_integer(j.clone())) / BigRational::from_integer(j + 1);
         term = term * &ratio * field.rational(&factor);
     }
-    let two = BigRational::from_integer(2.into());
-    if BigRational::from_integer(field.order.into()) * two < *m {
-        return None;
-    }
-    let ratio = upper_bound(&ratio.abs());
+    let order = BigRational::from_integer(field.order.into());
+    let growth = ((m - &order) / (order + BigRational::one())).max(BigRational::one());
+    let ratio = upper_bound(&(ratio.abs() * field.rational(&growth)));
     let left = Ball::from_integer(1, BOUND_BITS) - &ratio;
     if !left.is_positive() {
         return None;
