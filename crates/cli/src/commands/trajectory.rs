@@ -39,7 +39,7 @@ impl TrajectoryArgs {
         memory::require(self.memory_estimate(terms), "lower --damping-order or --time-order")?;
         let progress = Progress::steps("primes", 1000);
         let watch = |share: Ratio<usize>| progress.set((share.numer() * 1000 / share.denom()) as u64);
-        let trajectories = Trajectories::exact_watched(&self.law.law, self.damping_order, terms, &watch);
+        let trajectories = Trajectories::exact_watched(&self.law.law, self.orders(), terms, &watch);
         drop(progress);
         match self.output.format {
             Format::Text => self.output.target.write(&self.series(&trajectories)?),
@@ -53,6 +53,12 @@ impl TrajectoryArgs {
         last.floor().to_integer().to_usize().map_or(1, |last| last + 1)
     }
 
+    /// The largest order with a power of time up to `P`, `1 + (gamma+1) n <= P`; those above only print `O(...)`.
+    fn orders(&self) -> usize {
+        let last = (self.time_order.value() - BigRational::one()) / self.law.law.damping_step();
+        last.floor().to_integer().to_usize().unwrap_or(0).min(self.damping_order)
+    }
+
     /// How many coefficients of `x_n` belong to powers of time up to `P`.
     fn within(&self, trajectories: &Trajectories<BigRational>, n: usize) -> usize {
         let beyond = |j: &usize| big(trajectories.exponent(n, *j)) > *self.time_order.value();
@@ -61,7 +67,7 @@ impl TrajectoryArgs {
 
     fn table(&self, trajectories: &Trajectories<BigRational>) -> Result<Table, CliError> {
         let mut table = Table::new(&["n", "exponent", "coefficient"]);
-        for n in 0..=self.damping_order {
+        for n in 0..=trajectories.damping_order() {
             let coefficients = trajectories.coefficients(n)?.iter().take(self.within(trajectories, n));
             for (j, coefficient) in coefficients.enumerate() {
                 let exponent = Cell::digits(trajectories.exponent(n, j));
@@ -75,6 +81,10 @@ impl TrajectoryArgs {
     fn series(&self, trajectories: &Trajectories<BigRational>) -> Result<String, CliError> {
         let mut out = String::new();
         for n in 0..=self.damping_order {
+            if n > trajectories.damping_order() {
+                out += &format!("x_{n}(t) = O(t^({}))\n", trajectories.exponent(n, 0));
+                continue;
+            }
             let series = trajectories.order_n(n)?;
             let end = trajectories.exponent(n, self.within(trajectories, n)) * series.unit();
             let series = series.truncated(end.to_usize().unwrap_or(usize::MAX));
@@ -87,7 +97,7 @@ impl TrajectoryArgs {
     /// are held as residues, as integers and as text. Two to four times what was measured for
     /// (N, P) = (3, 2000), (0, 5000): 45, 68 MB.
     fn memory_estimate(&self, terms: usize) -> f64 {
-        let (orders, terms) = (self.damping_order as f64 + 2.0, terms as f64);
+        let (orders, terms) = (self.orders() as f64 + 2.0, terms as f64);
         let dense = terms * self.law.law.lattice().elastic as f64 * 64.0;
         orders * terms * (30.0 * terms + 300.0) + if self.output.format == Format::Text { dense } else { 0.0 }
     }
