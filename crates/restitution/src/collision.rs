@@ -212,5 +212,5 @@ fn damping_of(epsilon: f64, end: End) -> Result<f64, MaterialError> {
     if !(epsilon > 0.0 && epsilon < 1.0) {
         return Err(MaterialError::Epsilon { value: epsilon });
     }
-    in_range("damping parameter u", crate::damping::damping(epsilon, end))
+    in_range("damping parameter u", crate::u_of_epsilon(epsilon, end))
 }

@@ -144,7 +144,7 @@ impl Problem {
 
     /// The logarithms of the smallest and the largest `b` that single rows ask for.
     fn interval(&self) -> Result<(f64, f64), FitError> {
-        let asked = |&(root, epsilon): &(f64, f64)| (crate::damping::damping(epsilon, self.end) / root).ln();
+        let asked = |&(root, epsilon): &(f64, f64)| (crate::u_of_epsilon(epsilon, self.end) / root).ln();
         let inner = self.rows.iter().filter(|row| row.1 < 1.0).map(asked);
         let (low, high) =
             inner.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), b| (low.min(b), high.max(b)));

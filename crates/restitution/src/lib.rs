@@ -23,8 +23,6 @@ mod contact;
 #[cfg(feature = "std")]
 mod course;
 #[cfg(feature = "std")]
-mod damping;
-#[cfg(feature = "std")]
 mod dissipation;
 #[cfg(feature = "std")]
 mod error;

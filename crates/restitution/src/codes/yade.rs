@@ -63,7 +63,7 @@ impl Yade {
         if !(epsilon > 0.0 && epsilon < 1.0) {
             return Err(MaterialError::Epsilon { value: epsilon });
         }
-        Self { en: formula(crate::damping::damping(epsilon, End::ZeroForce).sqrt()), vn, effective_modulus }
+        Self { en: formula(crate::u_of_epsilon(epsilon, End::ZeroForce).sqrt()), vn, effective_modulus }
             .checked()
     }
 
