@@ -63,3 +63,8 @@ pub use time_step::{time_step_error, time_step_for};
 #[cfg(feature = "std")]
 pub use validity::{Validity, Verdict};
 pub use velocity::Restitution;
+
+/// The README's Rust is run as a documentation test.
+#[cfg(all(doctest, feature = "std"))]
+#[doc = include_str!("../../../README.md")]
+struct ReadmeDoctests;

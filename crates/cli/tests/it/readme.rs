@@ -2,6 +2,7 @@
 
 use crate::support::{restitution, succeed};
 use std::fs;
+use std::process::Command;
 
 fn readme() -> String {
     fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../README.md")).unwrap()
@@ -49,4 +50,24 @@ fn the_table_is_what_the_command_prints() {
         let expected = exact.iter().find(|(text, _)| *text == shown).map_or(shown, |(_, digits)| digits);
         assert_eq!(expected, value, "{row}");
     }
+}
+
+#[test]
+fn the_c_program_compiles_and_gives_what_the_evaluator_gives() {
+    let folder = tempfile::tempdir().unwrap();
+    let readme = readme();
+    let program = readme.split("```c\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    fs::write(folder.path().join("main.c"), program).unwrap();
+    let header = command_lines(&readme).into_iter().find(|line| line.contains("--lang c")).unwrap();
+    let export =
+        restitution(header.strip_prefix("restitution ").unwrap()).current_dir(&folder).status().unwrap();
+    assert!(export.success());
+    let compile =
+        Command::new("cc").args(["-o", "main", "main.c", "-lm"]).current_dir(&folder).status().unwrap();
+    assert!(compile.success());
+    let output = Command::new(folder.path().join("main")).output().unwrap();
+    let ice = restitution::Restitution::from_g_star(0.0032, restitution::End::ZeroCompression);
+    let line = |g: f64| format!("{g} m/s: {:.6}", ice.epsilon(g));
+    let expected = [0.0001, 0.001, 0.01].map(line).join("\n");
+    assert_eq!(String::from_utf8(output.stdout).unwrap().trim(), expected);
 }
