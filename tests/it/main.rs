@@ -1,6 +1,7 @@
 //! Workspace tests, one binary.
 
 mod approximate;
+mod audit;
 mod bounds;
 mod certified;
 mod citations;

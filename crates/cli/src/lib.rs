@@ -6,6 +6,7 @@
 //! ([`progress`]). The subcommands themselves, and how to add one, are in [`commands`].
 
 pub mod args;
+pub mod audit;
 pub mod commands;
 pub mod error;
 pub mod exact;

@@ -13,6 +13,7 @@
 //! 3. A variant of [`Command`] below and its arm.
 //! 4. Tests in `crates/cli/tests/it/`, with one wrong input of each kind, and a line in the README.
 
+pub mod audit;
 pub mod completions;
 pub mod epsilon;
 pub mod export;
@@ -46,6 +47,8 @@ pub enum Command {
     Epsilon(Box<epsilon::EpsilonArgs>),
     /// Write an evaluator of epsilon(u) in Rust, C, Fortran or Python
     Export(export::ExportArgs),
+    /// Judge the statements of the papers, one by one
+    Audit(audit::AuditArgs),
     /// Write the completions of a shell, or the manual page
     Completions(completions::CompletionsArgs),
     /// Fit the characteristic velocity g* to measured coefficients of restitution
@@ -78,6 +81,7 @@ impl Command {
             Self::Trajectory(args) => args.run(),
             Self::Epsilon(args) => args.run(),
             Self::Export(args) => args.run(),
+            Self::Audit(args) => args.run(),
             Self::Completions(args) => args.run(),
             Self::Fit(args) => args.run(),
             Self::Material(args) => args.run(),

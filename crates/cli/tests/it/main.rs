@@ -1,5 +1,6 @@
 //! The command, run as its users run it; one binary.
 
+mod audit;
 mod epsilon;
 mod export;
 mod materials;
