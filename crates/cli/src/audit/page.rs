@@ -8,8 +8,9 @@ const HEAD: &str = "# Audit of the paper
 Written by `restitution audit --format markdown`; a test compares this file with what the command prints.
 
 Every number and checkable statement of [RPBS1999] (equation numbers without a key), and the constants of [MP2011],
-beside what this project computes. No verdict is written down anywhere: what is printed is data, the true side comes
-from the certified and exact engines, and the comparison decides.
+beside what this project computes; definitions, assumptions and intermediate steps are not listed. No verdict is
+written down anywhere: what is printed is data, the true side comes from the certified and exact engines, and the
+comparison decides.
 
 * **holds**: true as it stands; formulas are tested exactly at random rational points, or in balls to 35 digits.
 * **holds to its printed digits**: the true number, rounded (or, where it says so, cut off) after the last one.

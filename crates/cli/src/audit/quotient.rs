@@ -74,7 +74,7 @@ pub fn claims() -> Vec<Claim> {
         ),
         Claim::new(
             "35.monotone",
-            "(35) is smooth and falls monotonically, as the exact eps does",
+            "(35) is smooth and falls monotonically, as eps is expected to",
             "smooth, monotonically decreasing",
             "restitution audit 35.monotone",
             |_, _| smooth(),
