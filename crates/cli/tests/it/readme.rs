@@ -2,6 +2,7 @@
 
 use crate::support::{restitution, succeed};
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 
 fn readme() -> String {
@@ -18,6 +19,10 @@ fn command_lines(text: &str) -> Vec<String> {
 #[test]
 fn every_command_line_runs() {
     let folder = tempfile::tempdir().unwrap();
+    let data = "examples/data/ice_bridges.csv";
+    fs::create_dir_all(folder.path().join(data).parent().unwrap()).unwrap();
+    fs::copy(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(data), folder.path().join(data))
+        .unwrap();
     let lines = command_lines(&readme());
     assert!(lines.len() >= 4, "{lines:?}");
     for line in lines {
