@@ -3,7 +3,7 @@
 use crate::turning_point::{power, reciprocal};
 use crate::{Field, FractionalSeries, SeriesError};
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{One, Signed, ToPrimitive, Zero};
 use restitution_law::ForceLaw;
 
 /// Returns `eps(u) = 1 + C_1 u + C_2 u^2 + ...` from the compression `Y(u)`, to the same order.
@@ -22,7 +22,8 @@ use restitution_law::ForceLaw;
 /// w = K^(-1)(-K(u)),    eps = (Y(u)/Y(w))^((a+1)/2)
 /// ```
 ///
-/// Formal: no truncation error enters. `y_k` of even order `k = N` cancels from `C_N`.
+/// Formal: no truncation error enters. `y_k` of even order `k = N` cancels from `C_N`. Where `p = -1/m`, the
+/// coefficient `C_2m` is exactly zero: no enclosure could tell.
 ///
 /// # Errors
 ///
@@ -37,7 +38,22 @@ pub(crate) fn restitution<T: Field>(law: &ForceLaw, compression: &[T]) -> Result
     let y = FractionalSeries::new(1, y);
     let y_at_image = y.compose(&image)?;
     let ratio = T::product(y.coefficients(), &reciprocal(y_at_image.coefficients())?, len);
-    power(&ratio, &half(elastic))
+    let mut restitution = power(&ratio, &half(elastic))?;
+    if let Some(vanishing) = vanishing_order(law).and_then(|k| restitution.get_mut(k)) {
+        *vanishing = T::zero();
+    }
+    Ok(restitution)
+}
+
+/// The order `k = 2m > 0` with `C_k = 0` exactly, which there is for `p = -1/m`.
+///
+/// `w(u) = -u eps^p` is its own inverse, and `eps = (-u/w)^m`. Lagrange's formula `N [u^N] w^K = K [u^(-K)] w^(-N)`
+/// (for the inverse function, here `w` itself) with `K = -m`, `N = m` says that `[u^m] w^(-m)`, up to a sign
+/// `[u^2m] eps`, equals minus itself.
+fn vanishing_order(law: &ForceLaw) -> Option<usize> {
+    let p = law.velocity_exponent();
+    let is_reciprocal = p.is_negative() && p.numer().abs().is_one();
+    is_reciprocal.then(|| p.denom().to_usize()).flatten().map(|m| 2 * m)
 }
 
 /// `w = K^(-1)(-K(u))` with `K = u y^exponent`.
