@@ -14,7 +14,7 @@ pub fn install() {
     // Where no handler can be set the system's own way to end a process remains.
     let _ = ctrlc::set_handler(|| {
         if let Some(path) = pending().take() {
-            let _ = std::fs::remove_file(path);
+            let _ = if path.is_dir() { std::fs::remove_dir_all(path) } else { std::fs::remove_file(path) };
         }
         let _ = std::io::Write::write_all(&mut std::io::stderr(), b"\nrestitution: interrupted\n");
         std::process::exit(130);

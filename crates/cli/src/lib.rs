@@ -16,6 +16,7 @@ pub mod memory;
 pub mod output;
 pub mod progress;
 mod render;
+pub mod report;
 pub mod table;
 pub mod units;
 

@@ -20,6 +20,7 @@ pub mod export;
 pub mod fit;
 pub mod material;
 pub mod pade;
+pub mod report;
 pub mod table;
 pub mod trajectory;
 
@@ -49,6 +50,8 @@ pub enum Command {
     Export(export::ExportArgs),
     /// Judge the statements of the papers, one by one
     Audit(audit::AuditArgs),
+    /// Measure speed against error on this machine and write it as a page with figures and data
+    Report(report::ReportArgs),
     /// Write the completions of a shell, or the manual page
     Completions(completions::CompletionsArgs),
     /// Fit the characteristic velocity g* to measured coefficients of restitution
@@ -82,6 +85,7 @@ impl Command {
             Self::Epsilon(args) => args.run(),
             Self::Export(args) => args.run(),
             Self::Audit(args) => args.run(),
+            Self::Report(args) => args.run(),
             Self::Completions(args) => args.run(),
             Self::Fit(args) => args.run(),
             Self::Material(args) => args.run(),

@@ -5,5 +5,6 @@ mod epsilon;
 mod export;
 mod materials;
 mod readme;
+mod report;
 mod shared;
 mod support;

@@ -1,0 +1,55 @@
+//! The report: speed against error, errors, growth, the paper's figure and numerical stability, measured here.
+//!
+//! [`contestants`] lists what is compared; [`reference`](self::reference) has the certified values that judge; a module for
+//! each part of the page measures and draws it; [`page`] puts them together and [`folder`] writes them.
+
+mod chart;
+mod contestants;
+mod effort;
+mod errors;
+mod f64_pade;
+mod folder;
+mod formulas;
+mod growth;
+mod hard_cases;
+mod ice;
+mod kernel;
+mod machine;
+mod ode;
+mod page;
+mod reference;
+mod speed;
+mod stability;
+mod timing;
+
+use crate::CliError;
+use crate::progress::Progress;
+pub use effort::Effort;
+pub use folder::Folder;
+
+/// Measures everything and returns the files of the report, each with its name.
+///
+/// # Errors
+///
+/// What the libraries say; nothing in a report depends on input.
+pub fn make(effort: &Effort) -> Result<Vec<(String, String)>, CliError> {
+    let progress = Progress::steps("report", effort.steps());
+    let contestants = contestants::all(effort.order)?;
+    let reference = reference::Reference::new(effort.grid(), &progress)?;
+    let errors = speed::errors(&contestants, &reference);
+    let results = speed::measure(&contestants, &reference, &errors, effort, &progress);
+    let machine = machine::Machine::this();
+    let sections = [
+        speed::section(&contestants, &results, reference.u.len()),
+        errors::section(&contestants, &reference, &errors)?,
+        ice::section()?,
+        growth::section(effort, &progress)?,
+        stability::section(effort)?,
+        page::Section::new(
+            "Machine",
+            "What the times above depend on.",
+            vec![page::Figure::table("", page::Data::new("machine.csv", machine.table()))],
+        ),
+    ];
+    Ok(page::files(&machine, &sections))
+}
