@@ -8,6 +8,7 @@ use super::ode::{self, Method};
 use crate::CliError;
 use crate::report::chart::Shape;
 use num_traits::Zero;
+use restitution::tiers::Tier;
 use restitution_direct::{End, saturation_speed};
 use restitution_law::ForceLaw;
 use restitution_pade::{Approximant, AtInfinity, PadeType, approximant, two_point};
@@ -63,7 +64,13 @@ impl Family {
     }
 
     pub fn shape(self) -> Shape {
-        [Shape::Circle, Shape::Square, Shape::Triangle, Shape::Diamond, Shape::Cross][self.colour() % 5]
+        match self {
+            Self::Series | Self::Tier => Shape::Circle,
+            Self::Formula35 | Self::Evaluator => Shape::Square,
+            Self::Pade | Self::Approximate => Shape::Triangle,
+            Self::TwoPoint | Self::Integration => Shape::Diamond,
+            Self::MuellerPoeschel => Shape::Cross,
+        }
     }
 }
 
@@ -109,6 +116,7 @@ pub fn all(order: usize) -> Result<Vec<Contestant>, CliError> {
     list.extend([exact.pade_in_root::<11, 13>()?, exact.pade_in_root::<18, 22>()?].into_iter().flatten());
     list.extend([exact.two_point::<4, 9>(1)?, exact.two_point::<20, 25>(18)?].into_iter().flatten());
     list.extend(others());
+    list.extend(tiers());
     list.extend(integrations());
     Ok(list)
 }
@@ -174,6 +182,37 @@ fn others() -> [Contestant; 6] {
         }
         .at_zero_force(),
     ]
+}
+
+/// The cheaper tiers of the evaluator.
+fn tiers() -> [Contestant; 6] {
+    use restitution::tiers;
+    [
+        tier(&tiers::ZERO_COMPRESSION_1E3),
+        tier(&tiers::ZERO_COMPRESSION_1E6),
+        tier(&tiers::ZERO_COMPRESSION_1E9),
+        tier(&tiers::ZERO_FORCE_1E3),
+        tier(&tiers::ZERO_FORCE_1E6),
+        tier(&tiers::ZERO_FORCE_1E9),
+    ]
+}
+
+fn tier<const ROWS: usize, const WIDTH: usize>(tier: &'static Tier<ROWS, WIDTH>) -> Contestant {
+    let forces = tier.end() == restitution::End::ZeroForce;
+    let (end, place) =
+        if forces { (End::ZeroForce, "zero force") } else { (End::ZeroCompression, "zero compression") };
+    let kernel = WithSlices {
+        one: move |u| tier.epsilon(u),
+        many: move |u: &[f64], out: &mut [f64]| tier.epsilon_batch(u, out),
+    };
+    let tolerance = tier.tolerance();
+    Contestant {
+        family: Family::Tier,
+        name: format!("tier {tolerance:e}, {place}"),
+        mark: format!("{tolerance:e}{}", if forces { " (force)" } else { "" }),
+        end,
+        kernel: Box::new(kernel),
+    }
 }
 
 fn integrations() -> impl Iterator<Item = Contestant> {

@@ -29,8 +29,8 @@ impl Effort {
             values: 1024,
             rounds: 31,
             sample: Duration::from_micros(300),
-            longest: Duration::from_millis(1500),
-            expansions: 3,
+            longest: Duration::from_millis(1200),
+            expansions: 5,
             order: 38,
         }
     }

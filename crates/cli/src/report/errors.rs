@@ -2,6 +2,7 @@
 
 use super::chart::{Axis, Chart, Series, Stroke};
 use super::contestants::{Contestant, Family};
+use super::formulas::SLOPE;
 use super::page::{Data, Figure, Section};
 use super::reference::Reference;
 use super::speed::{end_name, error_cell};
@@ -19,27 +20,36 @@ pub fn section(
     errors: &[Vec<f64>],
 ) -> Result<Section, CliError> {
     let radius = saturation_radius(&ForceLaw::viscoelastic_spheres(), 20).map_err(CliError::failure)?;
-    let shown = radius.to_digits(12).unwrap_or_default();
-    let rule = (radius.to_f64(), format!("R = {}", &shown[..shown.len().min(8)]));
-    let group = |id: &str, families: &[Family]| {
-        let mut chart = chart(id, contestants, reference, errors, families);
-        chart.rules.push(rule.clone());
+    let digits = |count| radius.to_digits(count).unwrap_or_default();
+    let velocity = (SLOPE * radius.to_f64()).powi(5);
+    let rule = (radius.to_f64(), format!("R = {}", digits(7)));
+    let group = |id: &str, wanted: &dyn Fn(&Contestant) -> bool| {
+        let mut chart = chart(id, contestants, reference, errors, wanted);
+        if !id.ends_with("zero-force") {
+            chart.rules.push(rule.clone());
+        }
         chart
     };
+    let families = |families: &'static [Family]| move |c: &Contestant| families.contains(&c.family);
+    let approximants =
+        |end| move |c: &Contestant| matches!(c.family, Family::Pade | Family::TwoPoint) && c.end == end;
     let data = Data::long(
         "error-by-u.csv",
         table(contestants, reference, errors, |_| true),
         table(contestants, reference, errors, |u| EXTRACT.contains(&u)),
     );
-    let series = group("error-series", &[Family::Series]);
-    let formulas =
-        group("error-formulas", &[Family::Formula35, Family::Approximate, Family::MuellerPoeschel]);
-    let pade = group("error-pade", &[Family::Pade, Family::TwoPoint]);
-    let machine = group("error-machine", &[Family::Evaluator, Family::Tier, Family::Integration]);
+    let series = group("error-series", &families(&[Family::Series]));
+    let printed = [Family::Formula35, Family::Approximate, Family::MuellerPoeschel];
+    let formulas = group("error-formulas", &|c| printed.contains(&c.family));
+    let pade = group("error-pade", &approximants(End::ZeroCompression));
+    let pade_force = group("error-pade-zero-force", &approximants(End::ZeroForce));
+    let evaluator = group("error-evaluator", &families(&[Family::Evaluator, Family::Tier]));
+    let integration = group("error-integration", &families(&[Family::Integration]));
     Ok(Section::new(
         "Error against damping",
         &format!(
-            "Relative errors against the certified integrator. The series in u converges for |u| < R = {shown}, in velocities for g < 10.53 g*: it does not diverge at every high velocity, nor converge at all of them. Beyond R further orders make it worse."
+            "Relative errors against the certified integrator. The series in u converges for |u| < R = {}, in velocities for g < {velocity:.2} g*; beyond R further orders make it worse.",
+            digits(12)
         ),
         vec![
             Figure::new(
@@ -49,15 +59,23 @@ pub fn section(
             .with(data),
             Figure::new(
                 formulas,
-                "The formulas of the literature. Formula (35) carries the constants of Table I, which come from wrong a₃ and a₄ and a₅ = 0; its counterparts have the exact ones. With every coefficient exact the [1/4] formula falls below zero at s = 3.31, u = 2.87. Müller and Pöschel's formulas are judged by contacts that end at zero force.",
+                "The formulas of the literature. Formula (35) carries the constants of Table I, which come from wrong a₃ and a₄ and a₅ = 0; its counterparts have the exact ones. With every coefficient exact the [1/4] formula falls below zero, and its relative error exceeds 1 from there on. Müller and Pöschel's formulas are judged by contacts that end at zero force.",
             ),
             Figure::new(
                 pade,
-                "Padé approximants in u from exact coefficients, and two-point approximants, which also meet ε u⁵ → R⁵ at infinity (the last number says with how many conditions).",
+                "Padé approximants in u from exact coefficients, and two-point approximants, which also meet ε u⁵ → R⁵ at infinity (the last number says with how many conditions). Contact ends at zero compression.",
             ),
             Figure::new(
-                machine,
-                "The f64 evaluator, and an ODE library integrating the equation of motion to several tolerances. Values that agree with the certified one to the last bit have no place on a logarithmic axis; lines break there.",
+                pade_force,
+                "Padé approximants in √u from exact coefficients, for contacts that end at zero force.",
+            ),
+            Figure::new(
+                evaluator,
+                "The f64 evaluator and its tiers. Each point is the largest of eight neighbouring values of the grid, so that the curves can be told apart; dashed: contact ends at zero force.",
+            ),
+            Figure::new(
+                integration,
+                "An ODE library (differential-equations, methods of Dormand and Prince of order 5 and 8) integrating the equation of motion in plain time to several tolerances. Each point is the largest of eight neighbouring values of the grid.",
             ),
             ends(reference),
         ],
@@ -69,25 +87,27 @@ fn chart(
     contestants: &[Contestant],
     reference: &Reference,
     errors: &[Vec<f64>],
-    families: &[Family],
+    wanted: &dyn Fn(&Contestant) -> bool,
 ) -> Chart {
-    let members =
-        contestants.iter().zip(errors).filter(|(c, _)| families.contains(&c.family)).collect::<Vec<_>>();
+    let members = contestants.iter().zip(errors).filter(|(c, _)| wanted(c)).collect::<Vec<_>>();
     let all = members.iter().flat_map(|(_, errors)| errors.iter().map(|e| e.clamp(1e-18, 90.0)));
     let y = Axis::decades("relative error", all);
     let x = Axis::linear("damping u (no unit)", 0.0, 7.5);
-    let names = families
-        .iter()
-        .map(|f| f.name().split(',').next().unwrap_or_default())
-        .collect::<Vec<_>>()
-        .join(", ");
+    let names = members.iter().map(|(c, _)| c.name.as_str()).collect::<Vec<_>>().join(", ");
     let mut chart = Chart::new(id, &format!("Relative error against u: {names}"), x, y);
     for (i, (contestant, errors)) in members.into_iter().enumerate() {
-        let points = reference.u.iter().copied().zip(errors.iter().copied());
+        let jumps = matches!(contestant.family, Family::Evaluator | Family::Tier | Family::Integration);
+        let points = envelope(&reference.u, errors, if jumps { 8 } else { 1 });
         let stroke = if contestant.end == End::ZeroForce { Stroke::Dashed } else { Stroke::Solid };
         chart.series.push(Series::line(&contestant.name, i % 9, points).stroked(stroke));
     }
     chart
+}
+
+/// The largest error of each `count` neighbours, at the middle one.
+fn envelope(u: &[f64], errors: &[f64], count: usize) -> Vec<(f64, f64)> {
+    let largest = |errors: &[f64]| errors.iter().copied().fold(0.0, f64::max);
+    u.chunks(count).zip(errors.chunks(count)).map(|(u, errors)| (u[u.len() / 2], largest(errors))).collect()
 }
 
 fn table(
@@ -126,7 +146,16 @@ fn ends(reference: &Reference) -> Figure {
     chart
         .series
         .push(line("contact ends at zero compression", 0, End::ZeroCompression).stroked(Stroke::Dashed));
-    let caption = "The two ends of contact. The paper ends it at zero compression, after a spell of attraction that dry bodies do not have; ending it where the force vanishes gives a larger ε, by a fifth at u = 1 and by much more beyond. Both curves are certified.";
+    let gain = |at: f64| {
+        let index = reference.u.iter().position(|u| *u == at)?;
+        let [inner, outer] =
+            [End::ZeroCompression, End::ZeroForce].map(|end| reference.values(end)[index].to_f64());
+        Some(format!("{:.0} % at u = {at}", 100.0 * (outer / inner - 1.0)))
+    };
+    let gains = [0.5, 1.0, 2.0].into_iter().filter_map(gain).collect::<Vec<_>>().join(", ");
+    let caption = format!(
+        "The two ends of contact. The paper ends it at zero compression, after a spell of attraction that dry bodies do not have; ending it where the force vanishes gives a larger ε, by {gains}. Both curves are certified."
+    );
     let columns = ["u", "epsilon_zero_compression", "epsilon_zero_force"];
     let rows = |wanted: &dyn Fn(f64) -> bool| {
         let mut table = Table::new(&columns);
@@ -137,7 +166,7 @@ fn ends(reference: &Reference) -> Figure {
         }
         table
     };
-    Figure::new(chart, caption).with(Data::long(
+    Figure::new(chart, &caption).with(Data::long(
         "ends-of-contact.csv",
         rows(&|_| true),
         rows(&|u| EXTRACT.contains(&u)),

@@ -28,6 +28,8 @@ struct Growth {
 struct Power {
     exponent: f64,
     error: f64,
+    /// The logarithm of `c`.
+    logarithm: f64,
 }
 
 /// Measures and returns the part of the report on generating coefficients.
@@ -135,11 +137,11 @@ impl Growth {
             points,
         };
         if let Some(power) = &self.power {
-            let (x, t) = pairs().last().map(|(x, t)| (x, t.median)).unwrap_or_default();
-            let line = |size: f64| (size, t * (size / x).powf(power.exponent));
-            let name = format!("exponent {:.2}", power.exponent);
-            let start = self.sizes[self.sizes.len() / 2] as f64;
-            chart.series.push(Series::line(&name, 9, [line(start), line(x)]).stroked(Stroke::Dashed));
+            let line = |size: f64| (size, (power.logarithm + power.exponent * size.ln()).exp());
+            let name = format!("fitted power, exponent {:.2}", power.exponent);
+            let (start, end) =
+                (self.sizes[self.sizes.len() / 2] as f64, self.sizes[self.sizes.len() - 1] as f64);
+            chart.series.push(Series::line(&name, 9, [line(start), line(end)]).stroked(Stroke::Dashed));
         }
         for (x, t) in pairs() {
             chart.series.push(Series::line("", 0, [(x, t.low), (x, t.high)]));
@@ -167,7 +169,11 @@ impl Power {
         let (spread, together) = (mean(&|p| (p.0 - x).powi(2)), mean(&|p| (p.0 - x) * (p.1 - y)));
         let exponent = together / spread;
         let residual = mean(&|p| (p.1 - y - exponent * (p.0 - x)).powi(2));
-        Some(Self { exponent, error: (residual / spread / (count - 2.0)).sqrt() })
+        Some(Self {
+            exponent,
+            error: (residual / spread / (count - 2.0)).sqrt(),
+            logarithm: y - exponent * x,
+        })
     }
 }
 
@@ -181,6 +187,7 @@ mod tests {
         let times = sizes.map(|n: usize| Timing::of(vec![3.0 * (n as f64).powf(2.5)]));
         let power = Power::fit(&sizes, &times).unwrap();
         assert!((power.exponent - 2.5).abs() < 1e-12 && power.error < 1e-6);
+        assert!((power.logarithm.exp() - 3.0).abs() < 1e-12);
         assert!(Power::fit(&sizes[..2], &times[..2]).is_none());
     }
 }

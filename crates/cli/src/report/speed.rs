@@ -230,9 +230,13 @@ pub fn end_name(end: End) -> &'static str {
     if end == End::ZeroForce { "zero force" } else { "zero compression" }
 }
 
-/// An error to two figures, rounded up in the third.
+/// An error to two figures.
 pub fn error_cell(error: f64) -> Cell {
-    if error.is_finite() { Cell::digits(format!("{error:.1e}")) } else { "no value".into() }
+    match error {
+        0.0 => Cell::digits("0"),
+        error if error.is_finite() => Cell::digits(format!("{error:.1e}")),
+        _ => "no value".into(),
+    }
 }
 
 /// A positive number with so many figures, never in powers of ten.

@@ -3,7 +3,7 @@
 use super::chart::{Axis, Chart, Series, Shape, Stroke};
 use super::effort::Effort;
 use super::page::{Data, Figure, Section};
-use super::speed::figures;
+use super::speed::{error_cell, figures};
 use super::{f64_pade, hard_cases};
 use crate::{Cell, CliError, Table};
 use restitution_law::ForceLaw;
@@ -104,7 +104,7 @@ fn pade(effort: &Effort) -> Result<Figure, CliError> {
         let float_loss = (worst / f64::EPSILON).log10().max(0.0);
         let error = |u: i64| -> Result<Cell, PadeError> {
             let exact = certified.function().value(&Ball::from_integer(u, BITS))?.to_f64();
-            Ok(Cell::digits(format!("{:.1e}", (f64_pade::value(&found, u as f64) / exact - 1.0).abs())))
+            Ok(error_cell((f64_pade::value(&found, u as f64) / exact - 1.0).abs()))
         };
         table.push(vec![
             Cell::digits(asked),

@@ -44,21 +44,19 @@ impl Labels {
     }
 }
 
-/// The eight places around a point, the best first.
-fn places(x: f64, y: f64, width: f64) -> [Box; 8] {
+/// The places around a point, the best first: eight next to it, then six a line further off.
+fn places(x: f64, y: f64, width: f64) -> [Box; 14] {
     let (right, left, middle) = (x + MARK + 1.0, x - MARK - 1.0 - width, x - width / 2.0);
     let (above, beside, below) = (y - MARK - LINE, y - LINE / 2.0, y + MARK);
-    [
-        (right, beside),
-        (middle, above),
-        (middle, below),
-        (left, beside),
-        (right, above),
-        (right, below),
-        (left, above),
-        (left, below),
-    ]
-    .map(|(left, top)| [left, top, left + width, top + LINE])
+    let (high, low) = (above - LINE, below + LINE);
+    let near = [(right, beside), (middle, above), (middle, below), (left, beside)];
+    let corners = [(right, above), (right, below), (left, above), (left, below)];
+    let far = [(right, high), (left, high), (right, low), (left, low), (middle, high), (middle, low)];
+    let mut all = near.into_iter().chain(corners).chain(far);
+    std::array::from_fn(|_| {
+        let (left, top) = all.next().unwrap_or((x, y));
+        [left, top, left + width, top + LINE]
+    })
 }
 
 #[cfg(test)]

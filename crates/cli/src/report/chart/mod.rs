@@ -14,13 +14,13 @@ use std::fmt::Write as _;
 /// The colours, light and dark, and the shapes of text and lines.
 pub const STYLE: &str = include_str!("chart.css");
 
-const WIDTH: f64 = 900.0;
+const WIDTH: f64 = 980.0;
 const HEIGHT: f64 = 500.0;
 const LEFT: f64 = 76.0;
-const RIGHT: f64 = 636.0;
-const TOP: f64 = 16.0;
+const RIGHT: f64 = 650.0;
+const TOP: f64 = 26.0;
 const BOTTOM: f64 = 440.0;
-const LEGEND: f64 = 660.0;
+const LEGEND: f64 = 668.0;
 const LEGEND_STEP: f64 = 21.0;
 
 /// How a line is drawn.
@@ -95,7 +95,7 @@ pub struct Chart {
     pub x: Axis,
     pub y: Axis,
     pub series: Vec<Series>,
-    /// Vertical lines: where, and what is written along them.
+    /// Vertical lines: where, and what is written above them.
     pub rules: Vec<(f64, String)>,
 }
 
@@ -169,10 +169,9 @@ impl Chart {
     fn rule(&self, out: &mut String, at: f64, text: &str) {
         let Some(place) = self.x.place(at) else { return };
         let x = round(LEFT + place * (RIGHT - LEFT));
-        let (beside, y) = (round(x - 5.0), BOTTOM - 8.0);
-        let text = escape(text);
+        let (above, text) = (TOP - 8.0, escape(text));
         let _ = writeln!(out, "<path class=\"rule\" d=\"M{x} {TOP}V{BOTTOM}\"/>");
-        let _ = writeln!(out, "<text transform=\"translate({beside} {y}) rotate(-90)\">{text}</text>");
+        let _ = writeln!(out, "<text x=\"{x}\" y=\"{above}\" text-anchor=\"middle\">{text}</text>");
     }
 
     fn line(&self, out: &mut String, series: &Series) {
@@ -209,9 +208,11 @@ impl Chart {
         }
     }
 
-    /// Writes the labels of all points once every mark has its place.
+    /// Writes the labels of all points once every mark has its place, those of the last series first.
     fn write_labels(&self, out: &mut String, labels: &mut Labels) {
-        for point in self.series.iter().flat_map(|series| &series.points).filter(|p| !p.label.is_empty()) {
+        for point in
+            self.series.iter().rev().flat_map(|series| &series.points).filter(|p| !p.label.is_empty())
+        {
             let Some((x, y)) = self.at(point).filter(|_| self.x.holds(point.x) && self.y.holds(point.y))
             else {
                 continue;
@@ -292,6 +293,6 @@ mod tests {
         let svg = chart.svg();
         assert!(svg.contains("A &lt; B") && svg.contains(">u</text>") && svg.contains(">error</text>"));
         assert!(svg.contains("class=\"line c2\" clip-path=\"url(#f-clip)\""));
-        assert!(svg.contains("M76 16M636 -1256"), "a point without a place interrupts the line: {svg}");
+        assert!(svg.contains("M76 26M650 -1216"), "a point without a place interrupts the line: {svg}");
     }
 }
