@@ -14,6 +14,9 @@ const SHOWN: (f64, f64) = (1e-3, 10.0);
 const FITTED: (f64, f64) = (0.01, 5.0);
 const FITTED_ROWS: usize = 28;
 
+/// A coefficient of restitution as a function of the velocity in cm/s.
+type Curve = Box<dyn Fn(f64) -> f64>;
+
 /// The law fitted to measurements of ice, `g` in cm/s (\[BHL1984\], as \[RPBS1999\] quotes it).
 fn bridges(g: f64) -> f64 {
     0.32 * g.powf(-0.234)
@@ -28,7 +31,7 @@ pub fn section() -> Result<Section, CliError> {
     let fitted = refit()?;
     let g_star = fitted.characteristic_velocity;
     let (low, high) = fitted.interval();
-    let curves: [(String, usize, Stroke, Box<dyn Fn(f64) -> f64>); 4] = [
+    let curves: [(String, usize, Stroke, Curve); 4] = [
         ("Bridges' law 0.32 g^−0.234".to_owned(), 9, Stroke::Solid, Box::new(bridges)),
         (
             "formula (35), g* = 0.32 cm/s".to_owned(),
@@ -79,7 +82,7 @@ pub fn section() -> Result<Section, CliError> {
     ))
 }
 
-fn exact(g_star: f64) -> Box<dyn Fn(f64) -> f64> {
+fn exact(g_star: f64) -> Curve {
     let ice = Restitution::from_g_star(g_star, End::ZeroCompression);
     Box::new(move |g| ice.epsilon(g))
 }

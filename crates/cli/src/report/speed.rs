@@ -239,10 +239,13 @@ pub fn error_cell(error: f64) -> Cell {
     }
 }
 
-/// A positive number with so many figures, never in powers of ten.
+/// A number with so many figures, never in powers of ten.
 pub fn figures(value: f64, count: i32) -> String {
+    if !value.is_finite() || value == 0.0 {
+        return value.to_string();
+    }
     let decimals = (count - 1 - value.abs().log10().floor() as i32).max(0) as usize;
-    if value.is_finite() && value != 0.0 { format!("{value:.decimals$}") } else { format!("{value}") }
+    format!("{value:.decimals$}")
 }
 
 #[cfg(test)]
@@ -252,7 +255,8 @@ mod tests {
     #[test]
     fn figures_are_counted() {
         assert_eq!(figures(0.012_345, 3), "0.0123");
-        assert_eq!(figures(51_234.5, 3), "51235");
+        assert_eq!(figures(51_234.6, 3), "51235");
+        assert_eq!([figures(0.0, 3), figures(f64::NAN, 3)], ["0", "NaN"]);
         assert_eq!(error_cell(f64::INFINITY), "no value".into());
     }
 
