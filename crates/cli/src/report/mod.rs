@@ -1,7 +1,7 @@
 //! The report: speed against error, errors, growth, the paper's figure and numerical stability, measured here.
 //!
-//! [`contestants`] lists what is compared; [`reference`](self::reference) has the certified values that judge; a module for
-//! each part of the page measures and draws it; [`page`] puts them together and [`folder`] writes them.
+//! `contestants` lists what is compared; `reference` has the certified values that judge; a module for
+//! each part of the page measures and draws it; `page` puts them together and `folder` writes them.
 
 mod chart;
 mod contestants;
