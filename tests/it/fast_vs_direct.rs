@@ -75,11 +75,11 @@ fn a_million_points_by_ratio() {
 fn every_breakpoint_and_its_neighbours() {
     let compression = (0..=448).map(|i| f64::from(i) / 64.0).chain([1.0 / 32.0]);
     Worst::over(End::ZeroCompression, neighbours(compression)).check("ZeroCompression, breakpoints");
-    let force = (0..5 * 64).map(|i| (0.5 + f64::from(i % 64) / 128.0) * 2.0_f64.powi(i / 64) - 0.5);
-    let force = force.chain([1.0 / 16.0, 15.5]).filter(|u| *u >= 0.0);
+    let force = (0..11 * 64).map(|i| (0.5 + f64::from(i % 64) / 128.0) * 2.0_f64.powi(i / 64) - 0.5);
+    let force = force.chain([1.0 / 16.0, 1023.5]).filter(|u| *u >= 0.0);
     Worst::over(End::ZeroForce, neighbours(force)).check("ZeroForce, breakpoints");
-    let beyond = (0..5 * 32).map(|i| (1.0 + f64::from(i % 32) / 32.0) * 2.0_f64.powi(i / 32 - 4) - 0.0625);
-    let beyond = beyond.filter(|x| *x > 0.0 && *x < 0.402).map(|x| x.powi(-3));
+    let beyond = (0..2 * 32).map(|i| (1.0 + f64::from(i % 32) / 32.0) * 2.0_f64.powi(i / 32 - 4) - 0.0625);
+    let beyond = beyond.filter(|x| *x > 0.0 && *x < 0.0993).map(|x| x.powi(-3));
     Worst::over(End::ZeroForce, neighbours(beyond)).check("ZeroForce, breakpoints beyond");
 }
 
@@ -89,6 +89,12 @@ fn neighbours(points: impl Iterator<Item = f64>) -> impl Iterator<Item = f64> {
         [down.next_down(), down, u, up, up.next_up()]
     };
     points.flat_map(around).filter(|u| *u >= 0.0)
+}
+
+/// Where a piece is widest for its `u` and the result just below a power of two: the largest error at zero force.
+#[test]
+fn where_the_approximation_weighs_most() {
+    Worst::over(End::ZeroForce, by_ratio(60_000, (255.5, 275.0), 0..60_000)).check("ZeroForce, 255.5 to 275");
 }
 
 /// From the last table entry to where the result is subnormal.

@@ -29,9 +29,10 @@ pub fn epsilon_batch(u: &[f64], out: &mut [f64], end: End) {
 }
 
 fn compression_block(u: &[f64], out: &mut [f64]) {
-    if lie_within(u, 0.0, zero_compression::FAR) {
+    let (_, last) = span(u);
+    if last < zero_compression::FAR.to_bits() {
         each(u, out, zero_compression::epsilon_within);
-    } else if lie_within(u, 0.0, zero_compression::LARGE) {
+    } else if last < zero_compression::LARGE.to_bits() {
         each(u, out, zero_compression::epsilon_to_large);
     } else {
         each(u, out, zero_compression::epsilon);
@@ -39,20 +40,23 @@ fn compression_block(u: &[f64], out: &mut [f64]) {
 }
 
 fn force_block(u: &[f64], out: &mut [f64]) {
-    if lie_within(u, zero_force::NEAR_END, zero_force::FAR) {
-        each(u, out, zero_force::epsilon_within);
-    } else if lie_within(u, 0.0, zero_force::NEAR_END) {
-        each(u, out, |u| 1.0 - zero_force::near(u));
-    } else if lie_within(u, 0.0, zero_force::FAR) {
-        each(u, out, zero_force::epsilon_to_far);
-    } else {
+    let (first, last) = span(u);
+    let near_end = zero_force::NEAR_END.to_bits();
+    if last >= zero_force::FAR.to_bits() {
         each(u, out, zero_force::epsilon);
+    } else if first >= near_end {
+        each(u, out, zero_force::epsilon_within);
+    } else if last < near_end {
+        each(u, out, |u| 1.0 - zero_force::near(u));
+    } else {
+        each(u, out, zero_force::epsilon_to_far);
     }
 }
 
-/// Whether `low <= u < high` for all; without leaving early, so that it vectorises.
-fn lie_within(u: &[f64], low: f64, high: f64) -> bool {
-    u.iter().fold(true, |all, u| all & (*u >= low) & (*u < high))
+/// The least and the largest of the bit patterns, which are ordered as the numbers from 0 on; infinity, NaN and what
+/// has a sign come after every number.
+fn span(u: &[f64]) -> (u64, u64) {
+    u.iter().fold((u64::MAX, 0), |(first, last), u| (first.min(u.to_bits()), last.max(u.to_bits())))
 }
 
 #[inline(always)]

@@ -11,7 +11,7 @@ use crate::{End, zero_compression, zero_force};
 /// on the way), NaN for NaN and below zero.
 ///
 /// Cost: a look-up of one cache line and a polynomial of degree 6, no division; up to `u = 7` at zero
-/// compression, to `u = 15.5` at zero force. Beyond, a power of `u` with its rounding carried along.
+/// compression, to `u = 1023.5` at zero force. Beyond, a power of `u` with its rounding carried along.
 ///
 /// # Error bound
 ///

@@ -41,7 +41,7 @@ pub fn zero_compression_tables(reference: &Reference) -> Result<String, ExportEr
 ///
 /// As [`zero_compression_tables`].
 pub fn zero_force_tables(reference: &Reference) -> Result<String, ExportError> {
-    let (grid, near_end, far) = (Grid { shift: 0.5, bits: 6 }, 1.0 / 16.0, 15.5_f64);
+    let (grid, near_end, far) = (Grid { shift: 0.5, bits: 6 }, 1.0 / 16.0, 1023.5_f64);
     let pieces =
         Pieces::fit(reference, Variable::U, grid, DEGREE, (near_end, far - 1.0 / 1024.0), f64::INFINITY)?;
     let mut text = opening("Contact that ends at zero force.", &pieces, near_end, near_end, far);
