@@ -85,7 +85,8 @@ impl From<clap::Error> for CliError {
             return Self::Usage(said);
         }
         let usage = lines().find_map(|line| line.strip_prefix("Usage: ")).unwrap_or("restitution");
-        let command = usage.split(['<', '[']).next().unwrap_or_default().trim();
+        let command =
+            usage.split(" -").next().unwrap_or_default().split(['<', '[']).next().unwrap_or_default().trim();
         Self::Usage(format!("{said}; see '{command} --help'"))
     }
 }

@@ -224,19 +224,6 @@ impl Ball {
         Self::between(&low, &high, self.prec().max(other.prec()))
     }
 
-    /// Returns a ball around the common points, or `None` if there are none.
-    pub fn intersection(&self, other: &Self) -> Option<Self> {
-        if !other.is_finite() {
-            return Some(self.clone());
-        }
-        if !self.is_finite() {
-            return Some(other.clone());
-        }
-        let low = self.lower().max(&other.lower());
-        let high = self.upper().min(&other.upper());
-        (low <= high).then(|| Self::between(&low, &high, self.prec().max(other.prec())))
-    }
-
     /// Adds `error >= 0` to the radius, rounding up.
     pub fn widen(&mut self, error: &Float) {
         self.rad.add_assign_round(error, Round::Up);

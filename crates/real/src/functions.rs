@@ -14,11 +14,6 @@ impl Ball {
         Self::rounded(prec, Constant::Pi)
     }
 
-    /// Returns the natural logarithm of 2.
-    pub fn ln_2(prec: u32) -> Self {
-        Self::rounded(prec, Constant::Log2)
-    }
-
     /// Returns the square root; the whole line if the ball reaches below 0.
     ///
     /// `|sqrt(X) - sqrt(x)| <= r/sqrt(x)` for `X >= 0`.
