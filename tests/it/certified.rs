@@ -2,8 +2,8 @@
 
 use proptest::prelude::Rng;
 use restitution::End;
-use restitution_cli::export::Reference;
 use restitution_direct::Collision;
+use restitution_export::Reference;
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use rug::Float;

@@ -2,7 +2,7 @@
 
 use crate::certified::{exact, reference};
 use restitution::End;
-use restitution_cli::export::{Language, Listing, design};
+use restitution_export::{Language, Listing, design};
 use rug::Float;
 use std::fs;
 use std::path::Path;

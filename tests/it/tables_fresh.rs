@@ -2,7 +2,7 @@
 
 use crate::certified::reference;
 use restitution::End;
-use restitution_cli::export::{tier_tables, zero_compression_tables, zero_force_tables};
+use restitution_export::{tier_tables, zero_compression_tables, zero_force_tables};
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/crates/restitution/src/tables");
 

@@ -10,7 +10,6 @@ pub mod audit;
 pub mod commands;
 pub mod error;
 pub mod exact;
-pub mod export;
 pub mod interrupt;
 pub mod memory;
 pub mod output;

@@ -2,12 +2,12 @@
 
 use crate::CliError;
 use crate::args::{EndArgs, EndOfContact};
-use crate::export::{ExportError, Language, Listing, Reference, design};
-use crate::export::{tier_tables, zero_compression_tables, zero_force_tables};
 use crate::output::TargetArgs;
 use crate::progress;
 use clap::ValueEnum;
 use restitution::End;
+use restitution_export::{ExportError, Language, Listing, Reference, design};
+use restitution_export::{tier_tables, zero_compression_tables, zero_force_tables};
 
 /// The least and the largest relative error that can be asked for.
 const TOLERANCES: (f64, f64) = (1e-15, 0.1);

@@ -8,7 +8,7 @@ mod rust;
 use super::listing::Listing;
 
 /// A language that evaluators are written in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Language {
     /// Rust, 2018 and later, a module.
     Rust,

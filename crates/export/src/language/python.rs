@@ -1,7 +1,7 @@
 //! Python.
 
 use super::{head, number, row};
-use crate::export::{Listing, Pieces, Variable};
+use crate::{Listing, Pieces, Variable};
 
 const TEMPLATE: &str = r#""""{HEAD}
 epsilon(u) takes a number or a NumPy array. Self-check: python FILE

@@ -1,7 +1,7 @@
 //! C, C++ and CUDA.
 
 use super::{head, number, row};
-use crate::export::{Listing, Pieces, Variable};
+use crate::{Listing, Pieces, Variable};
 
 const TEMPLATE: &str = r#"/*
 {HEAD} *

@@ -1,7 +1,7 @@
 //! Rust.
 
 use super::{head, number, row};
-use crate::export::{Listing, Pieces, Variable};
+use crate::{Listing, Pieces, Variable};
 
 const TEMPLATE: &str = r"{HEAD}//
 // Self-check: rustc --test FILE && run it, or `cargo test` with this file as a module.

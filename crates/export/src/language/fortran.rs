@@ -1,7 +1,7 @@
 //! Fortran.
 
 use super::{head, number, row};
-use crate::export::{Listing, Pieces, Variable};
+use crate::{Listing, Pieces, Variable};
 
 const TEMPLATE: &str = r#"{HEAD}!
 ! Self-check: gfortran -cpp -DRESTITUTION_SELF_CHECK FILE && ./a.out
