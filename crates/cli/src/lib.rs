@@ -11,6 +11,7 @@ pub mod commands;
 pub mod error;
 pub mod exact;
 pub mod interrupt;
+pub mod list;
 pub mod memory;
 pub mod output;
 pub mod progress;

@@ -3,6 +3,7 @@
 use crate::exact::{Exact, NumberError};
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
+pub use restitution_units::Dimension;
 use std::fmt;
 
 /// Why a text is not the quantity that was asked for.
@@ -13,7 +14,7 @@ pub enum UnitError {
     #[error(transparent)]
     Number(#[from] NumberError),
     /// The unit belongs to no quantity known here.
-    #[error("'{unit}' is not a unit of {wanted}: give one of {known}, or a bare number in {si}", known = wanted.symbols(), si = wanted.si())]
+    #[error("'{unit}' is not a unit of {wanted}: give one of {known}, or a bare number in {si}", known = wanted.examples().join(", "), si = wanted.si())]
     UnknownUnit {
         /// The unit that was given.
         unit: String,
@@ -21,7 +22,7 @@ pub enum UnitError {
         wanted: Dimension,
     },
     /// The unit belongs to another quantity.
-    #[error("'{text}' is a {given}, not a {wanted}: give one of {known}, or a bare number in {si}", known = wanted.symbols(), si = wanted.si())]
+    #[error("'{text}' is {article} {given}, not {wanted_article} {wanted}: give one of {known}, or a bare number in {si}", article = article(*given), wanted_article = article(*wanted), known = wanted.examples().join(", "), si = wanted.si())]
     WrongDimension {
         /// The text that was given.
         text: String,
@@ -38,122 +39,6 @@ pub enum UnitError {
         /// A value without.
         without: String,
     },
-}
-
-/// What kind of quantity a number is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Dimension {
-    /// A velocity, in m/s.
-    Velocity,
-    /// A length, in m.
-    Length,
-    /// A time, in s.
-    Time,
-    /// A mass, in kg.
-    Mass,
-    /// A mass density, in kg/m^3.
-    Density,
-    /// An elastic modulus or pressure, in Pa.
-    Modulus,
-    /// A viscosity, in Pa s.
-    Viscosity,
-}
-
-/// A unit: its symbols and its size in SI units, `numerator / denominator`.
-struct Unit(&'static [&'static str], i64, i64);
-
-const DIMENSIONS: [Dimension; 7] = [
-    Dimension::Velocity,
-    Dimension::Length,
-    Dimension::Time,
-    Dimension::Mass,
-    Dimension::Density,
-    Dimension::Modulus,
-    Dimension::Viscosity,
-];
-
-impl Dimension {
-    /// The units, the SI unit first; only the first symbol of each is shown in messages.
-    fn units(self) -> &'static [Unit] {
-        match self {
-            Self::Velocity => &[
-                Unit(&["m/s"], 1, 1),
-                Unit(&["km/s"], 1000, 1),
-                Unit(&["cm/s"], 1, 100),
-                Unit(&["mm/s"], 1, 1000),
-                Unit(&["um/s", "µm/s", "μm/s"], 1, 1_000_000),
-                Unit(&["km/h"], 5, 18),
-            ],
-            Self::Length => &[
-                Unit(&["m"], 1, 1),
-                Unit(&["km"], 1000, 1),
-                Unit(&["cm"], 1, 100),
-                Unit(&["mm"], 1, 1000),
-                Unit(&["um", "µm", "μm"], 1, 1_000_000),
-                Unit(&["nm"], 1, 1_000_000_000),
-            ],
-            Self::Time => &[
-                Unit(&["s"], 1, 1),
-                Unit(&["ms"], 1, 1000),
-                Unit(&["us", "µs", "μs"], 1, 1_000_000),
-                Unit(&["ns"], 1, 1_000_000_000),
-                Unit(&["min"], 60, 1),
-                Unit(&["h"], 3600, 1),
-            ],
-            Self::Mass => &[
-                Unit(&["kg"], 1, 1),
-                Unit(&["g"], 1, 1000),
-                Unit(&["mg"], 1, 1_000_000),
-                Unit(&["ug", "µg", "μg"], 1, 1_000_000_000),
-                Unit(&["t"], 1000, 1),
-            ],
-            Self::Density => {
-                &[Unit(&["kg/m^3", "kg/m3", "kg/m³"], 1, 1), Unit(&["g/cm^3", "g/cm3", "g/cm³"], 1000, 1)]
-            }
-            Self::Modulus => &[
-                Unit(&["Pa", "N/m^2", "N/m2", "N/m²"], 1, 1),
-                Unit(&["kPa"], 1000, 1),
-                Unit(&["MPa", "N/mm^2", "N/mm2", "N/mm²"], 1_000_000, 1),
-                Unit(&["GPa"], 1_000_000_000, 1),
-                Unit(&["bar"], 100_000, 1),
-            ],
-            Self::Viscosity => &[
-                Unit(&["Pa s", "Pas", "Pa*s", "Pa·s"], 1, 1),
-                Unit(&["mPa s", "mPas", "mPa*s", "mPa·s"], 1, 1000),
-                Unit(&["kPa s", "kPas", "kPa*s", "kPa·s"], 1000, 1),
-                Unit(&["MPa s", "MPas", "MPa*s", "MPa·s"], 1_000_000, 1),
-                Unit(&["GPa s", "GPas", "GPa*s", "GPa·s"], 1_000_000_000, 1),
-            ],
-        }
-    }
-
-    fn si(self) -> &'static str {
-        self.units()[0].0[0]
-    }
-
-    fn symbols(self) -> String {
-        self.units().iter().map(|unit| unit.0[0]).collect::<Vec<_>>().join(", ")
-    }
-
-    /// The size of the unit `symbol` in SI units.
-    fn size(self, symbol: &str) -> Option<BigRational> {
-        let unit = self.units().iter().find(|unit| unit.0.contains(&symbol))?;
-        Some(BigRational::new(unit.1.into(), unit.2.into()))
-    }
-}
-
-impl fmt::Display for Dimension {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Velocity => "velocity",
-            Self::Length => "length",
-            Self::Time => "time",
-            Self::Mass => "mass",
-            Self::Density => "density",
-            Self::Modulus => "modulus",
-            Self::Viscosity => "viscosity",
-        })
-    }
 }
 
 /// A physical quantity as it was typed, with its exact value in SI units.
@@ -175,6 +60,7 @@ impl fmt::Display for Dimension {
 pub struct Quantity {
     text: String,
     unit: Option<String>,
+    size: BigRational,
     si: BigRational,
 }
 
@@ -189,14 +75,14 @@ impl Quantity {
         let (number, symbol) = split(text);
         let size = match symbol {
             "" => BigRational::one(),
-            _ => wanted.size(symbol).ok_or_else(|| not_a_unit(text, symbol, wanted))?,
+            _ => restitution_units::size(symbol, wanted).ok_or_else(|| not_a_unit(text, symbol, wanted))?,
         };
         let number: Exact = number.parse().map_err(|error| match error {
             NumberError::NotANumber { .. } => NumberError::NotANumber { text: text.to_owned() },
             other => other,
         })?;
         let unit = (!symbol.is_empty()).then(|| symbol.to_owned());
-        Ok(Self { text: text.to_owned(), unit, si: number.value() * size })
+        Ok(Self { text: text.to_owned(), unit, si: number.value() * &size, size })
     }
 
     /// The value in SI units.
@@ -207,6 +93,11 @@ impl Quantity {
     /// The f64 nearest to the value in SI units.
     pub fn to_f64(&self) -> f64 {
         self.si.to_f64().unwrap_or(f64::NAN)
+    }
+
+    /// The size in SI units of the unit as it was typed; 1 for a bare number.
+    pub fn unit_size(&self) -> f64 {
+        self.size.to_f64().unwrap_or(f64::NAN)
     }
 
     /// The unit as it was typed; `None` for a bare number.
@@ -251,7 +142,11 @@ macro_rules! value_parsers {
     )*};
 }
 
-value_parsers!(velocity Velocity, length Length, time Time, mass Mass, density Density, modulus Modulus, viscosity Viscosity);
+value_parsers!(velocity Velocity, length Length, time Time, mass Mass, density Density, modulus Modulus, viscosity Viscosity, acceleration Acceleration);
+
+fn article(dimension: Dimension) -> &'static str {
+    if dimension == Dimension::Acceleration { "an" } else { "a" }
+}
 
 /// Splits a text behind its leading number, which may be a decimal, a fraction or in powers of ten.
 fn split(text: &str) -> (&str, &str) {
@@ -271,7 +166,7 @@ fn split(text: &str) -> (&str, &str) {
 }
 
 fn not_a_unit(text: &str, symbol: &str, wanted: Dimension) -> UnitError {
-    match DIMENSIONS.into_iter().find(|dimension| dimension.size(symbol).is_some()) {
+    match restitution_units::dimension_of(symbol) {
         Some(given) => UnitError::WrongDimension { text: text.to_owned(), given, wanted },
         None if text == symbol => NumberError::NotANumber { text: text.to_owned() }.into(),
         None => UnitError::UnknownUnit { unit: symbol.to_owned(), wanted },
@@ -300,7 +195,7 @@ mod tests {
         let message = |text, dimension| Quantity::parse(text, dimension).unwrap_err().to_string();
         assert_eq!(
             message("5mm", Dimension::Velocity),
-            "'5mm' is a length, not a velocity: give one of m/s, km/s, cm/s, mm/s, um/s, km/h, or a bare number in m/s"
+            "'5mm' is a length, not a velocity: give one of m/s, km/s, cm/s, mm/s, um/s, km/h, ft/s, or a bare number in m/s"
         );
         assert_eq!(
             message("5 furlong", Dimension::Time),
@@ -319,18 +214,10 @@ mod tests {
         assert_eq!(all_or_none(&mixed[..1]), Ok(()));
     }
 
-    #[test]
-    fn no_symbol_belongs_to_two_dimensions() {
-        let symbols = DIMENSIONS.iter().flat_map(|d| d.units()).flat_map(|u| u.0).collect::<Vec<_>>();
-        for (i, symbol) in symbols.iter().enumerate() {
-            assert!(!symbols[..i].contains(symbol), "{symbol}");
-        }
-    }
-
     proptest::proptest! {
         #[test]
         fn any_text_is_read_or_refused(text in "[-+]?[0-9.eE/]{0,8}.{0,6}") {
-            for dimension in DIMENSIONS {
+            for dimension in Dimension::ALL {
                 let _ = Quantity::parse(&text, dimension);
             }
         }

@@ -3,7 +3,8 @@
 mod damping;
 
 use crate::args::{EndArgs, EndOfContact, LawArgs, count};
-use crate::exact::{Exact, at_least_zero};
+use crate::exact::Exact;
+use crate::list::{self, List};
 use crate::progress::Progress;
 use crate::units::{self, Quantity};
 use crate::{Cell, CliError, OutputArgs, Table};
@@ -21,12 +22,12 @@ const LARGEST_DIGITS: usize = 10_000;
     restitution epsilon --velocity 1cm/s,10cm/s --g-star 0.32cm/s --end zero-force\n  \
     restitution epsilon --u 1e-12 --quantity loss\n  restitution epsilon --saturation --digits 50")]
 pub struct EpsilonArgs {
-    /// Dampings u of x'' + u x^GAMMA x' + x^A = 0 with x'(0) = 1, separated by commas
-    #[arg(long, value_name = "U", value_delimiter = ',', num_args = 1.., value_parser = at_least_zero, required_unless_present_any = ["velocity", "saturation"])]
-    u: Vec<Exact>,
-    /// Impact velocities such as 0.5cm/s, with --g-star or a material
-    #[arg(long, value_name = "G", value_delimiter = ',', num_args = 1.., value_parser = units::velocity, conflicts_with = "u", requires = "damping")]
-    velocity: Vec<Quantity>,
+    /// Dampings u of x'' + u x^GAMMA x' + x^A = 0 with x'(0) = 1, separated by commas, or a grid such as 0.1:2:20
+    #[arg(long, value_name = "U", num_args = 1.., value_parser = list::at_least_zero, required_unless_present_any = ["velocity", "saturation"])]
+    u: Vec<List<Exact>>,
+    /// Impact velocities such as 0.5cm/s,1cm/s or the grid 1cm/s:10m/s:50log, with --g-star or a material
+    #[arg(long, value_name = "G", num_args = 1.., value_parser = list::velocities, conflicts_with = "u", requires = "damping")]
+    velocity: Vec<List<Quantity>>,
     /// Print R = lim u epsilon^p and R^(1/p), the exit speed at unlimited velocity; p = 1/5 for spheres
     #[arg(long, conflicts_with_all = ["u", "velocity", "end"])]
     saturation: bool,
@@ -81,7 +82,7 @@ impl EpsilonArgs {
     }
 
     fn integrated(&self) -> Result<Table, CliError> {
-        units::all_or_none(&self.velocity).map_err(CliError::usage)?;
+        units::all_or_none(&list::flat(&self.velocity)).map_err(CliError::usage)?;
         let end = match self.end.end {
             EndOfContact::ZeroCompression => End::ZeroCompression,
             EndOfContact::ZeroForce => End::ZeroForce,
@@ -112,10 +113,10 @@ impl EpsilonArgs {
     fn points(&self) -> Result<Vec<(String, Source)>, CliError> {
         if self.velocity.is_empty() {
             let exact = |u: &Exact| (u.to_string(), Source::Exact(u.value().clone()));
-            return Ok(self.u.iter().map(exact).collect());
+            return Ok(list::flat(&self.u).iter().map(exact).collect());
         }
         let from = |g: &Quantity| Ok((g.to_string(), self.damping.source(g, &self.law.law)?));
-        self.velocity.iter().map(from).collect()
+        list::flat(&self.velocity).iter().map(from).collect()
     }
 
     fn value(&self, collision: &Collision, source: &Source) -> Result<String, CliError> {

@@ -64,3 +64,14 @@ fn wrong_requests_say_how_to_right_them() {
     assert_eq!(code, 1);
     assert!(message.contains("never separate") && message.contains("give a smaller u"), "{message}");
 }
+
+#[test]
+fn grids_and_units_are_read_like_lists() {
+    let grid = succeed("epsilon --u 0.1:0.3:3 --digits 5 --format csv");
+    assert_eq!(grid, succeed("epsilon --u 0.1,0.2,0.3 --digits 5 --format csv"));
+    let grid = succeed("epsilon --velocity 1cm/s:1m/s:3log --g-star 1cm/s --digits 5 --format csv");
+    let list = succeed("epsilon --velocity 1cm/s,10cm/s,1m/s --g-star 1cm/s --digits 5 --format csv");
+    assert_eq!(grid, list);
+    let (code, message) = fail("epsilon --u 0,5");
+    assert!(code == 2 && message.contains("write 0.5"), "{message}");
+}

@@ -52,7 +52,8 @@ impl Code {
                 EsysParticle::new(pair, poisson).map(|input| input.to_string())
             }
             Self::Yade => {
-                let [vn] = args.velocity.as_slice() else {
+                let velocities = args.velocities();
+                let [vn] = velocities.as_slice() else {
                     return Err(CliError::usage(
                         "YADE wants the velocity vn at which it is told the coefficient: give one --velocity",
                     ));

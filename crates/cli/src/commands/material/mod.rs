@@ -9,6 +9,7 @@ pub(super) use report::ten_digits;
 
 use crate::args::EndOfContact;
 use crate::exact::{Exact, at_least_zero};
+use crate::list::{self, List};
 use crate::units::{self, Quantity};
 use crate::{CliError, OutputArgs};
 use bodies::BodyArgs;
@@ -19,9 +20,9 @@ use restitution::{End, ViscoelasticContact};
 /// Arguments of `restitution material`.
 #[derive(Debug, clap::Args)]
 pub struct MaterialArgs {
-    /// Impact velocities, such as 0.01m/s 1cm/s
-    #[arg(long, value_name = "G", num_args = 1.., value_parser = units::velocity)]
-    velocity: Vec<Quantity>,
+    /// Impact velocities, such as 1cm/s,2cm/s or the grid 1cm/s:10m/s:50log
+    #[arg(long, value_name = "G", num_args = 1.., value_parser = list::velocities)]
+    velocity: Vec<List<Quantity>>,
     /// Where the contact ends [default: zero-compression, or where the code ends it]
     #[arg(long, value_enum, value_name = "END")]
     end: Option<EndOfContact>,
@@ -53,7 +54,7 @@ impl MaterialArgs {
     /// Usage for values that mean nothing, those of the output.
     pub fn run(&self) -> Result<(), CliError> {
         self.output.check()?;
-        units::all_or_none(&self.velocity).map_err(CliError::usage)?;
+        units::all_or_none(&self.velocities()).map_err(CliError::usage)?;
         self.bodies.check()?;
         match (self.code, self.from_code) {
             (Some(code), _) => self.output.print_lines(&code.lines(self)?),
@@ -94,8 +95,13 @@ impl MaterialArgs {
         let material = self.bodies.softer_material()?;
         let report =
             report::Report { contact, pair, material, end, error: self.error.as_ref().map(Exact::to_f64) };
-        let velocities = self.velocity.iter().map(|g| (g.to_string(), g.to_f64())).collect::<Vec<_>>();
+        let velocities = self.velocities().iter().map(|g| (g.to_string(), g.to_f64())).collect::<Vec<_>>();
         self.output.print(&report.table(&velocities)?)
+    }
+
+    /// The velocities that were asked for.
+    fn velocities(&self) -> Vec<Quantity> {
+        list::flat(&self.velocity)
     }
 
     /// The end of contact that was asked for.
