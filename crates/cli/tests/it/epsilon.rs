@@ -47,7 +47,7 @@ fn wrong_requests_say_how_to_right_them() {
         ("epsilon --u 1 --velocity 1 --g-star 1", "cannot be used with"),
         ("epsilon --velocity 1", "--g-star"),
         ("epsilon --velocity 1 --g-star 0", "give --g-star with a positive value"),
-        ("epsilon --velocity 1,1cm/s --g-star 1", "give the unit with every value or with none"),
+        ("epsilon --velocity 1cm/s,1 --g-star 1", "give the unit with every value or with none"),
         ("epsilon --velocity 1s --g-star 1", "not a velocity"),
         ("epsilon --velocity -1 --g-star 1", "give its size"),
         ("epsilon --velocity 1 --dissipative-constant 1", "give --young"),
