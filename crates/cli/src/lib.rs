@@ -1,7 +1,7 @@
 //! The command `restitution`: arguments in, one table out.
 //!
 //! [`run`] reads the arguments and carries one subcommand out. What subcommands share lives here:
-//! parsed arguments ([`args`], [`exact`], [`units`]), the table they print ([`table`], [`output`]),
+//! parsed arguments ([`args`], [`exact`], [`units`]), where its tables go ([`output`]),
 //! errors and exit codes ([`error`]), the limits of the machine ([`memory`]) and the progress bar
 //! ([`progress`]). The subcommands themselves, and how to add one, are in [`commands`].
 
@@ -15,12 +15,10 @@ pub mod list;
 pub mod memory;
 pub mod output;
 pub mod progress;
-mod render;
 pub mod report;
-pub mod table;
 pub mod units;
 
 pub use commands::run;
 pub use error::CliError;
 pub use output::OutputArgs;
-pub use table::{Cell, Table};
+pub use restitution_table::{Cell, Table};

@@ -2,26 +2,11 @@
 
 use crate::interrupt::Pending;
 use crate::{CliError, Table};
+pub use restitution_table::Format;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
-
-/// The form of a printed table.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
-pub enum Format {
-    /// Aligned columns for reading.
-    #[default]
-    Text,
-    /// Comma-separated values with a header line.
-    Csv,
-    /// An array of objects; numbers whose digits are proved are strings.
-    Json,
-    /// A tabular environment.
-    Latex,
-    /// A pipe table.
-    Markdown,
-}
 
 /// The arguments `--format` and `-o` of every subcommand that prints a table.
 #[derive(Clone, Debug, Default, clap::Args)]

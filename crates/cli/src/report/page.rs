@@ -2,9 +2,9 @@
 
 use super::chart::{self, Chart, escape};
 use super::machine::Machine;
+use crate::Cell;
 use crate::Table;
 use crate::output::Format;
-use crate::table::Cell;
 use std::fmt::Write as _;
 
 const STYLE: &str = include_str!("page.css");
@@ -131,11 +131,11 @@ fn write_figure(out: &mut String, figure: &Figure, number: usize) {
 
 fn rows_html(table: &Table) -> String {
     let mut out = "<div class=\"table\"><table>\n<thead><tr>".to_owned();
-    for column in &table.columns {
+    for column in table.columns() {
         let _ = write!(out, "<th>{}</th>", escape(&column.replace('_', " ")));
     }
     out += "</tr></thead>\n<tbody>\n";
-    for row in &table.rows {
+    for row in table.rows() {
         out += "<tr>";
         for cell in row {
             let class = if matches!(cell, Cell::Text(_)) { "" } else { " class=\"number\"" };

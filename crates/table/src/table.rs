@@ -59,8 +59,7 @@ impl From<&str> for Cell {
 /// # Examples
 ///
 /// ```
-/// use restitution_cli::output::Format;
-/// use restitution_cli::{Cell, Table};
+/// use restitution_table::{Cell, Format, Table};
 ///
 /// let mut table = Table::new(&["k", "value"]).titled("Coefficients");
 /// table.push(vec![1_usize.into(), Cell::digits("-1.15")]);
@@ -80,6 +79,16 @@ impl Table {
     pub fn new(columns: &[&str]) -> Self {
         let columns = columns.iter().map(ToString::to_string).collect();
         Self { title: None, columns, rows: Vec::new(), notes: Vec::new(), fields: Vec::new() }
+    }
+
+    /// The names of the columns.
+    pub fn columns(&self) -> &[String] {
+        &self.columns
+    }
+
+    /// The rows, each with one cell for each column.
+    pub fn rows(&self) -> &[Vec<Cell>] {
+        &self.rows
     }
 
     /// Sets the title.

@@ -1,7 +1,6 @@
 //! The five forms of a table.
 
-use crate::output::Format;
-use crate::table::{Cell, Table};
+use crate::{Cell, Format, Table};
 use serde_json::{Map, Value};
 
 impl Table {
@@ -104,7 +103,8 @@ fn align(lines: &mut [Vec<String>], column: usize, numeric: bool) {
 }
 
 impl Cell {
-    pub(crate) fn plain(&self) -> String {
+    /// Returns the cell as text and CSV have it.
+    pub fn plain(&self) -> String {
         match self {
             Self::Integer(n) => n.to_string(),
             Self::Digits(text) | Self::Text(text) => text.clone(),
