@@ -1,21 +1,21 @@
 //! The audit: its page, its verdicts against what is known, and that verdicts come from comparing.
 
 use crate::support::in_snapshots;
-use restitution_cli::audit::{Claim, Facts, Judged, Verdict, audit, count, markdown, sections};
+use restitution_audit::{Claim, Judged, TrueValues, Verdict, audit, count, markdown, sections};
 use restitution_real::Ball;
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::fs;
 use std::sync::OnceLock;
 
-fn facts() -> &'static Facts {
-    static FACTS: OnceLock<Facts> = OnceLock::new();
-    FACTS.get_or_init(|| Facts::new().expect("the facts can be computed"))
+fn truth() -> &'static TrueValues {
+    static TRUTH: OnceLock<TrueValues> = OnceLock::new();
+    TRUTH.get_or_init(|| TrueValues::new().expect("the truth can be computed"))
 }
 
 fn judged() -> &'static [(&'static str, Vec<Judged>)] {
     static JUDGED: OnceLock<Vec<(&'static str, Vec<Judged>)>> = OnceLock::new();
-    JUDGED.get_or_init(|| audit(facts(), &[], &mut || ()).expect("every claim can be judged"))
+    JUDGED.get_or_init(|| audit(truth(), &[], &mut || ()).expect("every claim can be judged"))
 }
 
 fn all() -> impl Iterator<Item = &'static Judged> {
@@ -84,7 +84,7 @@ fn every_wrong_figure_has_the_slip_that_gives_it() {
 /// The halved corrections, carried from `y_2` to Table I, against the print by plain rounding.
 #[test]
 fn one_slip_gives_all_printed_figures() {
-    let halved = &facts().halved;
+    let halved = &truth().halved;
     let rounded = |x: &Ball, digits| x.to_digits(digits).expect("digits");
     let six = [&halved.y2, &halved.y3, &halved.c[3], &halved.c[4], &halved.a[3], &halved.a[4]];
     let printed = ["0.260542", "-0.136769", "-0.483582", "0.285279", "0.315119", "0.161167"];
@@ -121,7 +121,7 @@ fn computed_figures_are_the_known_ones() {
         (7, "-0.461379543238116"),
         (9, "0.452351051202051"),
     ] {
-        assert_eq!(facts().h[k].to_digits(15).as_deref(), Some(h));
+        assert_eq!(truth().h[k].to_digits(15).as_deref(), Some(h));
     }
 }
 
@@ -167,7 +167,7 @@ fn a_changed_digit_changes_the_verdict() {
         for mutation in mutations {
             tried += 1;
             // What can no longer be computed is not confirmed either.
-            let Ok(changed) = mutation.judge(facts()) else { continue };
+            let Ok(changed) = mutation.judge(truth()) else { continue };
             assert_ne!(changed.verdict, finding.verdict, "{}: {}", claim.id, mutation.printed);
         }
     }

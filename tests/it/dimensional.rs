@@ -4,7 +4,8 @@ use crate::support::{cases, generator};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use proptest::prelude::*;
-use restitution_law::{ForceLaw, LawError, PowerForces};
+use restitution_audit::PowerForces;
+use restitution_law::{ForceLaw, LawError};
 use restitution_real::Ball;
 
 const BITS: u32 = 200;

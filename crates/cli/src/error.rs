@@ -1,5 +1,6 @@
 //! What can go wrong in a subcommand, as one line on stderr and an exit code.
 
+use restitution_audit::AuditError;
 use restitution_law::LawError;
 use restitution_real::RealError;
 use restitution_series::SeriesError;
@@ -52,6 +53,15 @@ impl CliError {
 impl From<LawError> for CliError {
     fn from(error: LawError) -> Self {
         Self::usage(error)
+    }
+}
+
+impl From<AuditError> for CliError {
+    fn from(error: AuditError) -> Self {
+        match error {
+            AuditError::UnknownClaim { .. } => Self::usage(error),
+            _ => Self::failure(error),
+        }
     }
 }
 

@@ -1,15 +1,13 @@
 //! The command `restitution`: arguments in, one table out.
 //!
 //! [`run`] reads the arguments and carries one subcommand out. What subcommands share lives here:
-//! parsed arguments ([`args`], [`exact`], [`units`]), where its tables go ([`output`]),
+//! parsed arguments ([`args`], [`units`]), where its tables go ([`output`]),
 //! errors and exit codes ([`error`]), the limits of the machine ([`memory`]) and the progress bar
 //! ([`progress`]). The subcommands themselves, and how to add one, are in [`commands`].
 
 pub mod args;
-pub mod audit;
 pub mod commands;
 pub mod error;
-pub mod exact;
 pub mod interrupt;
 pub mod list;
 pub mod memory;
@@ -21,4 +19,5 @@ pub mod units;
 pub use commands::run;
 pub use error::CliError;
 pub use output::OutputArgs;
+pub use restitution_law::exact;
 pub use restitution_table::{Cell, Table};

@@ -1,5 +1,5 @@
 use crate::LawError;
-use num_bigint::BigInt;
+use crate::exact::{Exact, NumberError};
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
@@ -138,30 +138,15 @@ impl FromStr for ForceLaw {
     type Err = LawError;
 
     fn from_str(text: &str) -> Result<Self, LawError> {
+        let read = |exponent: &str| match exponent.parse::<Exact>() {
+            Ok(exponent) => Ok(exponent.value().clone()),
+            Err(NumberError::TooLong) => Err(LawError::TooFine { law: text.to_owned() }),
+            Err(_) => Err(LawError::NotALaw { text: text.to_owned() }),
+        };
         let not_a_law = || LawError::NotALaw { text: text.to_owned() };
         let (a, gamma) = text.split_once(',').ok_or_else(not_a_law)?;
-        let a = parse_rational(a).ok_or_else(not_a_law)?;
-        let gamma = parse_rational(gamma).ok_or_else(not_a_law)?;
-        Self::new(a, gamma)
+        Self::new(read(a)?, read(gamma)?)
     }
-}
-
-/// Reads `-3/2`, `1.001` or `4` exactly.
-fn parse_rational(text: &str) -> Option<BigRational> {
-    let text = text.trim();
-    if text.len() > 60 {
-        return None;
-    }
-    if let Some((numerator, denominator)) = text.split_once('/') {
-        let (n, d) = (numerator.trim().parse::<BigInt>().ok()?, denominator.trim().parse::<BigInt>().ok()?);
-        return d.is_positive().then(|| BigRational::new(n, d));
-    }
-    let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
-    if !fraction.bytes().all(|b| b.is_ascii_digit()) || (fraction.is_empty() && text.contains('.')) {
-        return None;
-    }
-    let numerator = format!("{whole}{fraction}").parse::<BigInt>().ok()?;
-    Some(BigRational::new(numerator, BigInt::from(10).pow(u32::try_from(fraction.len()).ok()?)))
 }
 
 #[cfg(test)]
@@ -172,13 +157,25 @@ mod tests {
     fn decimals_are_read_exactly() {
         let law: ForceLaw = "1.001, -0.25".parse().unwrap();
         assert_eq!(law.to_string(), "1001/1000,-1/4");
+        let law: ForceLaw = "1e-1,0".parse().unwrap();
+        assert_eq!(law.to_string(), "1/10,0");
     }
 
     #[test]
     fn nonsense_is_refused() {
-        for text in
-            ["", "3/2", "3/0,1", "1.5.5,1", "x,1", "1e3,1", "-1,0", "1,-1", "1/1000003,0", "2000000,0"]
-        {
+        for text in [
+            "",
+            "3/2",
+            "3/0,1",
+            "1.5.5,1",
+            "x,1",
+            "1e9,1",
+            "1e999999999,1",
+            "-1,0",
+            "1,-1",
+            "1/1000003,0",
+            "2000000,0",
+        ] {
             assert!(text.parse::<ForceLaw>().is_err(), "{text}");
         }
     }

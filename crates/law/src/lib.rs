@@ -8,10 +8,9 @@
 //!
 //! through the whole project; no other place writes `3/2` or `1/2` down.
 
-mod dimensional;
 mod error;
+pub mod exact;
 mod force_law;
 
-pub use dimensional::PowerForces;
 pub use error::LawError;
 pub use force_law::{ForceLaw, Lattice};

@@ -1,9 +1,9 @@
 //! `restitution audit`: the statements of the papers, one by one, with verdict.
 
-use crate::audit::{Facts, Judged, audit, check_names, count, markdown, remarks, sections};
 use crate::output::Format;
 use crate::progress::Progress;
 use crate::{Cell, CliError, OutputArgs, Table};
+use restitution_audit::{Judged, TrueValues, audit, check_names, count, markdown, remarks, sections};
 use std::fmt::Write;
 
 /// Arguments of `restitution audit`.
@@ -31,7 +31,7 @@ impl AuditArgs {
         check_names(&self.claims)?;
         let total = sections().iter().map(|section| section.claims.len()).sum::<usize>();
         let progress = Progress::steps("claims", total as u64);
-        let judged = audit(&Facts::new()?, &self.claims, &mut || progress.advance(1))?;
+        let judged = audit(&TrueValues::new()?, &self.claims, &mut || progress.advance(1))?;
         drop(progress);
         match self.output.format {
             Format::Text if self.claims.is_empty() => self.output.target.write(&lines(&judged)),

@@ -4,27 +4,29 @@
 //! certified and exact engines and compares. No verdict is written down anywhere: change a printed digit
 //! and it changes.
 
-mod approximation;
+mod appendix_coefficients;
+mod appendix_trajectory;
+mod appendix_turning_point;
 mod claim;
-mod compact;
-mod dimensions;
-mod facts;
-mod figure;
-mod formal;
+mod error;
+mod figure_1;
 mod formula;
-mod inverse;
-mod number;
+mod free_series;
+mod mueller_poeschel;
 mod page;
-mod quotient;
+mod power_forces;
+mod printed_number;
 mod samples;
-mod trajectory;
-mod turning;
+mod section_3_series;
+mod section_3_theory;
+mod sections_1_and_2;
+mod true_values;
 
 pub use claim::{Claim, Finding, Verdict};
-pub use facts::Facts;
+pub use error::AuditError;
 pub use page::{count, markdown, remarks};
-
-use crate::CliError;
+pub use power_forces::PowerForces;
+pub use true_values::TrueValues;
 
 /// Claims that belong together.
 pub struct Section {
@@ -46,14 +48,20 @@ pub struct Judged {
 pub fn sections() -> Vec<Section> {
     let section = |title, claims| Section { title, claims };
     vec![
-        section("Sections I and II: the expansion quoted, and dimensional analysis", dimensions::claims()),
-        section("Section III: the approximate theory", approximation::claims()),
-        section("Section III: the series, the Padé formula (35) and Table I", quotient::claims()),
-        section("Fig. 1: ice", figure::claims()),
-        section("Appendix: the trajectory", trajectory::claims()),
-        section("Appendix: the turning point", turning::claims()),
-        section("Appendix: the coefficients", inverse::claims()),
-        section("Müller and Pöschel 2011: Padé approximants in the square root of u", compact::claims()),
+        section(
+            "Sections I and II: the expansion quoted, and dimensional analysis",
+            sections_1_and_2::claims(),
+        ),
+        section("Section III: the approximate theory", section_3_theory::claims()),
+        section("Section III: the series, the Padé formula (35) and Table I", section_3_series::claims()),
+        section("Fig. 1: ice", figure_1::claims()),
+        section("Appendix: the trajectory", appendix_trajectory::claims()),
+        section("Appendix: the turning point", appendix_turning_point::claims()),
+        section("Appendix: the coefficients", appendix_coefficients::claims()),
+        section(
+            "Müller and Pöschel 2011: Padé approximants in the square root of u",
+            mueller_poeschel::claims(),
+        ),
     ]
 }
 
@@ -61,18 +69,18 @@ pub fn sections() -> Vec<Section> {
 ///
 /// # Errors
 ///
-/// Usage if a name is not known; what the computations say.
+/// [`AuditError::UnknownClaim`]; [`AuditError::Undecided`] with what the computations say.
 pub fn audit(
-    facts: &Facts,
+    truth: &TrueValues,
     wanted: &[String],
     watch: &mut dyn FnMut(),
-) -> Result<Vec<(&'static str, Vec<Judged>)>, CliError> {
+) -> Result<Vec<(&'static str, Vec<Judged>)>, AuditError> {
     let mut out = Vec::new();
     for Section { title, claims } in sections() {
         let claims = claims.into_iter().filter(|claim| is_wanted(claim.id, wanted));
         let mut judged = Vec::new();
         for claim in claims {
-            judged.push(Judged { finding: claim.judge(facts)?, claim });
+            judged.push(Judged { finding: claim.judge(truth)?, claim });
             watch();
         }
         if !judged.is_empty() {
@@ -86,16 +94,14 @@ pub fn audit(
 ///
 /// # Errors
 ///
-/// Usage, with the name.
-pub fn check_names(wanted: &[String]) -> Result<(), CliError> {
+/// [`AuditError::UnknownClaim`] with the name.
+pub fn check_names(wanted: &[String]) -> Result<(), AuditError> {
     let sections = sections();
     let known = |name: &&String| {
         sections.iter().flat_map(|section| &section.claims).any(|claim| begins(claim.id, name))
     };
     match wanted.iter().find(|name| !known(name)) {
-        Some(name) => Err(CliError::usage(format!(
-            "no claim is called {name}: run 'restitution audit' for a list, or give an equation such as A26"
-        ))),
+        Some(name) => Err(AuditError::UnknownClaim { name: name.clone() }),
         None => Ok(()),
     }
 }
@@ -119,6 +125,6 @@ mod tests {
         assert!(begins("A26", "A26") && begins("A26.formula", "(A26)") && begins("TableI.d1", "TableI.d"));
         assert!(!begins("A26", "A2") && !begins("11", "1") && !begins("A26", "A") && !begins("A26", ""));
         assert!(check_names(&["A14".to_owned()]).is_ok());
-        assert!(matches!(check_names(&["A99".to_owned()]), Err(CliError::Usage(_))));
+        assert!(matches!(check_names(&["A99".to_owned()]), Err(AuditError::UnknownClaim { .. })));
     }
 }

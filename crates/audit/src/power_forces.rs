@@ -1,8 +1,8 @@
 //! Section II of \[RPBS1999\]: what dimensional analysis alone says about a collision.
 
-use crate::{ForceLaw, LawError};
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
+use restitution_law::{ForceLaw, LawError};
 use restitution_real::Ball;
 
 /// Elastic and dissipative forces that are powers of the compression and of its rate (eq. 7).
@@ -20,7 +20,8 @@ use restitution_real::Ball;
 ///
 /// ```
 /// use num_rational::BigRational;
-/// use restitution_law::{ForceLaw, LawError, PowerForces};
+/// use restitution_audit::PowerForces;
+/// use restitution_law::{ForceLaw, LawError};
 ///
 /// let spheres = PowerForces::from(ForceLaw::viscoelastic_spheres());
 /// assert_eq!(spheres.velocity_exponent().to_string(), "1/5"); // delta ~ g^(1/5), eq. (14)

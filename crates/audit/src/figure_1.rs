@@ -1,11 +1,11 @@
 //! Fig. 1 of \[RPBS1999\]: ice.
 
-use super::claim::{Claim, Finding, Slip, Verdict, number};
-use super::dimensions::truth;
-use super::facts::{Facts, fraction, one};
-use super::number::{Known, SHOWN_DIGITS, digits, exact};
-use super::quotient::as_printed;
-use crate::CliError;
+use crate::AuditError;
+use crate::claim::{Claim, Finding, Slip, Verdict, number};
+use crate::printed_number::{Known, SHOWN_DIGITS, digits, exact};
+use crate::section_3_series::as_printed;
+use crate::sections_1_and_2::statement;
+use crate::true_values::{TrueValues, fraction, one};
 use num_rational::BigRational;
 use restitution_pade::RationalFunction;
 use restitution_real::Ball;
@@ -34,34 +34,34 @@ pub fn claims() -> Vec<Claim> {
 }
 
 /// Bridges' law, `prefactor g^-exponent`, with the numbers as printed.
-fn bridges(printed: &str) -> Result<(BigRational, BigRational), CliError> {
+fn bridges(printed: &str) -> Result<(BigRational, BigRational), AuditError> {
     let parts =
         printed.split_once("/g^").and_then(|(prefactor, exponent)| exact(prefactor).zip(exact(exponent)));
-    parts.ok_or_else(|| CliError::failure(format!("'{printed}' is not a power of g")))
+    parts.ok_or_else(|| AuditError::failure(format!("'{printed}' is not a power of g")))
 }
 
-fn bridges_above_one(printed: &str) -> Result<Finding, CliError> {
+fn bridges_above_one(printed: &str) -> Result<Finding, AuditError> {
     let (prefactor, exponent) = bridges(printed)?;
     let limit = fraction(&prefactor).pow(&exponent.recip());
     let holds = limit.is_positive() && (fraction(&exponent)).is_positive();
-    Ok(truth(format!("above 1 for g < {} cm/s", digits(&limit, SHOWN_DIGITS)?), holds))
+    Ok(statement(format!("above 1 for g < {} cm/s", digits(&limit, SHOWN_DIGITS)?), holds))
 }
 
 /// How far each curve is from Bridges' law, and which `g*` fits at 1 cm/s.
-fn ice(printed: &str, facts: &Facts) -> Result<Finding, CliError> {
-    let characteristic = fraction(&exact(printed).ok_or_else(|| CliError::failure("g* is a number"))?);
+fn ice(printed: &str, truth: &TrueValues) -> Result<Finding, AuditError> {
+    let characteristic = fraction(&exact(printed).ok_or_else(|| AuditError::failure("g* is a number"))?);
     let formula = as_printed()?;
     let (mut by_formula, mut by_theory) = (Vec::new(), Vec::new());
     for velocity in VELOCITIES {
-        let g = fraction(&exact(velocity).ok_or_else(|| CliError::failure("velocities are numbers"))?);
+        let g = fraction(&exact(velocity).ok_or_else(|| AuditError::failure("velocities are numbers"))?);
         let law = fraction(&BigRational::new(8.into(), 25.into()))
             * g.pow(&BigRational::new((-117).into(), 500.into()));
         let s = (g / &characteristic).fifth_root();
         by_formula.push(value(&formula, &s)? / &law - one());
-        by_theory.push(epsilon(facts, &s)? / law - one());
+        by_theory.push(epsilon(truth, &s)? / law - one());
     }
-    let fit = |curve: &dyn Fn(&Ball) -> Result<Ball, CliError>| fitted(curve);
-    let (theory, table) = (fit(&|s| epsilon(facts, s))?, fit(&|s| value(&formula, s))?);
+    let fit = |curve: &dyn Fn(&Ball) -> Result<Ball, AuditError>| fitted(curve);
+    let (theory, table) = (fit(&|s| epsilon(truth, s))?, fit(&|s| value(&formula, s))?);
     let slip = Slip { mistake: "fitting (35) with the printed Table I", gives: Known::Within(table.clone()) };
     let found = number(printed, &Known::Within(theory.clone()), Some(slip))?;
     // A fitted constant is no error of the fit: it belongs to the formula that was fitted.
@@ -84,25 +84,25 @@ fn ice(printed: &str, facts: &Facts) -> Result<Finding, CliError> {
         .noting("the agreement of the figure is that of the wrong Table I: refit g*"))
 }
 
-fn value(formula: &RationalFunction<BigRational>, s: &Ball) -> Result<Ball, CliError> {
+fn value(formula: &RationalFunction<BigRational>, s: &Ball) -> Result<Ball, AuditError> {
     let enclose = |p: &[BigRational]| p.iter().map(fraction).collect();
     let formula =
-        RationalFunction::new(enclose(formula.num()), enclose(formula.den())).map_err(CliError::failure)?;
-    formula.value(s).map_err(CliError::failure)
+        RationalFunction::new(enclose(formula.num()), enclose(formula.den())).map_err(AuditError::failure)?;
+    formula.value(s).map_err(AuditError::failure)
 }
 
 /// The exact restitution at `s = -C_1 u`.
-fn epsilon(facts: &Facts, s: &Ball) -> Result<Ball, CliError> {
-    let u = -(s / &facts.c[1]);
-    facts.collision.enclose(&u, 160).map_err(CliError::failure)
+fn epsilon(truth: &TrueValues, s: &Ball) -> Result<Ball, AuditError> {
+    let u = -(s / &truth.c[1]);
+    truth.collision.enclose(&u, 160).map_err(AuditError::failure)
 }
 
 /// The `g*` (in cm/s) with which a falling curve takes Bridges' value 0.32 at `g = 1 cm/s`.
 ///
 /// The secant method proposes `s = g*^(-1/5)`, certified values on both sides prove it to 25 digits.
-fn fitted(curve: &dyn Fn(&Ball) -> Result<Ball, CliError>) -> Result<Ball, CliError> {
+fn fitted(curve: &dyn Fn(&Ball) -> Result<Ball, AuditError>) -> Result<Ball, AuditError> {
     let wanted = Ball::from_ratio(8, 25, 200);
-    let excess = |s: &Ball| Ok::<_, CliError>(curve(s)? - &wanted);
+    let excess = |s: &Ball| Ok::<_, AuditError>(curve(s)? - &wanted);
     let point = |ball: Ball| Ball::exact(ball.mid().clone());
     let (mut last, mut s) = (Ball::from_ratio(6, 5, 200), Ball::from_ratio(5, 4, 200));
     let mut last_excess = excess(&last)?;
@@ -117,7 +117,7 @@ fn fitted(curve: &dyn Fn(&Ball) -> Result<Ball, CliError>) -> Result<Ball, CliEr
     }
     let (low, high) = (point(&s - &close), point(&s + &close));
     if !excess(&low)?.is_positive() || !excess(&high)?.is_negative() {
-        return Err(CliError::failure("the fit of g* could not be proved"));
+        return Err(AuditError::failure("the fit of g* could not be proved"));
     }
     Ok(low.union(&high).powi(-5))
 }

@@ -1,12 +1,12 @@
 //! Section III of \[RPBS1999\] from (32) on: divergence, the Padé formula (35) and its Table I.
 
-use super::claim::{Claim, Finding, Slip, Verdict, identity, number};
-use super::dimensions::truth;
-use super::facts::{Facts, ball, one};
-use super::formula::Scope;
-use super::number::{Known, SHOWN_DIGITS, digits, exact};
-use super::samples::Samples;
-use crate::CliError;
+use crate::AuditError;
+use crate::claim::{Claim, Finding, Slip, Verdict, identity, number};
+use crate::formula::Scope;
+use crate::printed_number::{Known, SHOWN_DIGITS, digits, exact};
+use crate::samples::Samples;
+use crate::sections_1_and_2::statement;
+use crate::true_values::{TrueValues, ball, one};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use restitution_direct::saturation_radius;
@@ -27,7 +27,7 @@ pub fn claims() -> Vec<Claim> {
             "the series diverges for high velocities",
             "divergence for g to infinity",
             "restitution epsilon --saturation",
-            |_, facts| divergence(facts),
+            |_, truth| divergence(truth),
         ),
         Claim::new(
             "TableI",
@@ -46,17 +46,19 @@ pub fn claims() -> Vec<Claim> {
             "(35) is the [1/4] approximant in terms of the a_k",
             "d_1 .. d_5 from a_2, a_3, a_4",
             "restitution pade 1 4 --variable s --digits 20",
-            |_, facts| unknown_fifth(facts),
+            |_, truth| unknown_fifth(truth),
         ),
         Claim::new(
             "35.zero",
             "eps(0) = 1, of (35) and of the collision",
             "1",
             "restitution epsilon --u 0",
-            |printed, facts| {
-                let exact =
-                    facts.collision.epsilon(&BigRational::zero(), SHOWN_DIGITS).map_err(CliError::failure)?;
-                let formula = as_printed()?.value(&BigRational::zero()).map_err(CliError::failure)?;
+            |printed, truth| {
+                let exact = truth
+                    .collision
+                    .epsilon(&BigRational::zero(), SHOWN_DIGITS)
+                    .map_err(AuditError::failure)?;
+                let formula = as_printed()?.value(&BigRational::zero()).map_err(AuditError::failure)?;
                 let found = number(printed, &Known::Exactly(formula), None)?;
                 Ok(if exact.contains(&one()) {
                     found
@@ -88,20 +90,20 @@ fn constants() -> Vec<Claim> {
     const COMMAND: &str = "restitution pade --list literature --digits 20";
     let claim = |id, statement, k: usize, check| Claim::new(id, statement, TABLE[k - 1], COMMAND, check);
     vec![
-        claim("TableI.d1", "d_1", 1, |printed, facts| constant(printed, facts, 1)),
-        claim("TableI.d2", "d_2", 2, |printed, facts| constant(printed, facts, 2)),
-        claim("TableI.d3", "d_3", 3, |printed, facts| constant(printed, facts, 3)),
-        claim("TableI.d4", "d_4", 4, |printed, facts| constant(printed, facts, 4)),
-        claim("TableI.d5", "d_5", 5, |printed, facts| constant(printed, facts, 5)),
+        claim("TableI.d1", "d_1", 1, |printed, truth| constant(printed, truth, 1)),
+        claim("TableI.d2", "d_2", 2, |printed, truth| constant(printed, truth, 2)),
+        claim("TableI.d3", "d_3", 3, |printed, truth| constant(printed, truth, 3)),
+        claim("TableI.d4", "d_4", 4, |printed, truth| constant(printed, truth, 4)),
+        claim("TableI.d5", "d_5", 5, |printed, truth| constant(printed, truth, 5)),
     ]
 }
 
 /// `d_k` of Table I's own formulas, beside the genuine approximant's.
-fn constant(printed: &str, facts: &Facts, k: usize) -> Result<Finding, CliError> {
-    let (right, genuine) = (facts.table_with_right_coefficients()?, facts.genuine()?);
+fn constant(printed: &str, truth: &TrueValues, k: usize) -> Result<Finding, AuditError> {
+    let (right, genuine) = (truth.table_with_right_coefficients()?, truth.genuine()?);
     let slip = Slip {
         mistake: "feeding the table's formulas with the a_3 and a_4 of the halved corrections",
-        gives: Known::Within(entry(&facts.halved.table, k).clone()),
+        gives: Known::Within(entry(&truth.halved.table, k).clone()),
     };
     let found = number(printed, &Known::Within(entry(&right, k).clone()), Some(slip))?;
     let genuine = digits(entry(&genuine, k), SHOWN_DIGITS)?;
@@ -116,12 +118,12 @@ fn entry<F: RealField>(function: &RationalFunction<F>, k: usize) -> &F {
 }
 
 /// Formula (35) with the printed Table I, exactly.
-pub fn as_printed() -> Result<RationalFunction<BigRational>, CliError> {
+pub fn as_printed() -> Result<RationalFunction<BigRational>, AuditError> {
     let read =
-        |text: &&str| exact(text).ok_or_else(|| CliError::failure(format!("'{text}' is not a number")));
+        |text: &&str| exact(text).ok_or_else(|| AuditError::failure(format!("'{text}' is not a number")));
     let d = TABLE.iter().map(read).collect::<Result<Vec<_>, _>>()?;
     let den = std::iter::once(BigRational::one()).chain(d[1..].iter().cloned()).collect();
-    RationalFunction::new(vec![BigRational::one(), d[0].clone()], den).map_err(CliError::failure)
+    RationalFunction::new(vec![BigRational::one(), d[0].clone()], den).map_err(AuditError::failure)
 }
 
 fn series(a: &[BigRational; 3], a5: BigRational) -> Vec<BigRational> {
@@ -130,10 +132,10 @@ fn series(a: &[BigRational; 3], a5: BigRational) -> Vec<BigRational> {
 }
 
 /// The general algorithm's approximant of `1 - s + a_2 s^2 - a_3 s^3 + a_4 s^4 + 0 s^5`.
-fn general_algorithm(samples: &mut Samples) -> Result<Scope<BigRational>, CliError> {
+fn general_algorithm(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
     let a = [samples.fraction(), samples.fraction(), samples.fraction()];
     let found =
-        approximant(&series(&a, BigRational::zero()), PadeType::new(1, 4)).map_err(CliError::failure)?;
+        approximant(&series(&a, BigRational::zero()), PadeType::new(1, 4)).map_err(AuditError::failure)?;
     let [a2, a3, a4] = &a;
     let two = BigRational::from_integer(2.into());
     let d0 = a4 - &two * a3 - a2 * a2 + (&two + BigRational::one()) * a2 - BigRational::one();
@@ -143,22 +145,22 @@ fn general_algorithm(samples: &mut Samples) -> Result<Scope<BigRational>, CliErr
 }
 
 /// Five unknowns, four coefficients: the closed formulas meet the fifth condition only for `a_5 = 0`.
-fn unknown_fifth(facts: &Facts) -> Result<Finding, CliError> {
+fn unknown_fifth(truth: &TrueValues) -> Result<Finding, AuditError> {
     const POINTS: usize = 20;
     let mut samples = Samples::new();
     let (mut four, mut five) = (0, 0);
     for _ in 0..POINTS {
         let a = [samples.fraction(), samples.fraction(), samples.fraction()];
-        let closed = table_one(&a[0], &a[1], &a[2]).map_err(CliError::failure)?;
+        let closed = table_one(&a[0], &a[1], &a[2]).map_err(AuditError::failure)?;
         let wanted = series(&a, samples.fraction());
         let met = closed.series(6);
         four += usize::from(met[..5] == wanted[..5]);
         five += usize::from(met == wanted);
     }
-    let genuine = facts.genuine()?;
+    let genuine = truth.genuine()?;
     let zero = -(one() / entry(&genuine, 1));
-    let zeros = zeros(genuine.num(), &Interval::HalfLine).map_err(CliError::failure)?;
-    let found = truth(
+    let zeros = zeros(genuine.num(), &Interval::HalfLine).map_err(AuditError::failure)?;
+    let found = statement(
         format!("4 coefficients met at {four} of {POINTS} random points, the fifth at {five}"),
         four == POINTS,
     );
@@ -176,14 +178,14 @@ fn unknown_fifth(facts: &Facts) -> Result<Finding, CliError> {
 }
 
 /// The limit of (35) by its degrees, that of the collision by values below `6/u^5`.
-fn at_infinity(printed: &str, facts: &Facts) -> Result<Finding, CliError> {
+fn at_infinity(printed: &str, truth: &TrueValues) -> Result<Finding, AuditError> {
     let formula = as_printed()?;
     let falls = formula.num().len() < formula.den().len();
     let mut shown = Vec::new();
     let mut below = true;
     for u in [10, 100, 1000] {
         let epsilon =
-            facts.collision.epsilon(&BigRational::from_integer(u.into()), 10).map_err(CliError::failure)?;
+            truth.collision.epsilon(&BigRational::from_integer(u.into()), 10).map_err(AuditError::failure)?;
         below &= epsilon.is_positive() && (ball(6) / ball(u).powi(5) - &epsilon).is_positive();
         shown.push(format!("{} at u = {u}", digits(&epsilon, 6)?));
     }
@@ -194,28 +196,28 @@ fn at_infinity(printed: &str, facts: &Facts) -> Result<Finding, CliError> {
 }
 
 /// Poles, zeros and slope of (35) with the printed constants, counted exactly.
-fn smooth() -> Result<Finding, CliError> {
+fn smooth() -> Result<Finding, AuditError> {
     let printed = as_printed()?;
     let series = printed.series(6);
-    let found = approximant(&series, PadeType::new(1, 4)).map_err(CliError::failure)?;
-    let found = verdict(&found, &Interval::HalfLine).map_err(CliError::failure)?;
+    let found = approximant(&series, PadeType::new(1, 4)).map_err(AuditError::failure)?;
+    let found = verdict(&found, &Interval::HalfLine).map_err(AuditError::failure)?;
     let holds = found.poles == 0 && found.trend == Trend::Decreasing && found.bounds == Bounds::Within;
-    Ok(truth(format!("{} poles on s >= 0, {}, {}", found.poles, found.trend, found.bounds), holds))
+    Ok(statement(format!("{} poles on s >= 0, {}, {}", found.poles, found.trend, found.bounds), holds))
 }
 
 /// Orders at which partial sums are compared.
 const ORDERS: [usize; 3] = [20, 40, 60];
 
 /// Partial sums of (32) at a velocity inside and at one outside the disc of convergence.
-fn divergence(facts: &Facts) -> Result<Finding, CliError> {
-    let law = facts.collision.law();
+fn divergence(truth: &TrueValues) -> Result<Finding, AuditError> {
+    let law = truth.collision.law();
     let c = coefficients(Quantity::Restitution, law, ORDERS[2], 40)?;
-    let inside = errors(facts, &c, 1)?;
-    let outside = errors(facts, &c, 2)?;
+    let inside = errors(truth, &c, 1)?;
+    let outside = errors(truth, &c, 2)?;
     let rises = |errors: &[Ball]| errors.windows(2).all(|pair| (&pair[1] - &pair[0]).is_positive());
     let falls = |errors: &[Ball]| errors.windows(2).all(|pair| (&pair[0] - &pair[1]).is_positive());
-    let radius = saturation_radius(law, SHOWN_DIGITS + 5).map_err(CliError::failure)?;
-    let s = -(&radius * &facts.c[1]);
+    let radius = saturation_radius(law, SHOWN_DIGITS + 5).map_err(AuditError::failure)?;
+    let s = -(&radius * &truth.c[1]);
     let verdict = match (falls(&inside), rises(&outside)) {
         (true, true) => Verdict::Imprecise,
         (false, true) => Verdict::Holds,
@@ -242,9 +244,9 @@ fn divergence(facts: &Facts) -> Result<Finding, CliError> {
 }
 
 /// `|sum_(k <= order) C_k u^k - eps(u)|`.
-fn errors(facts: &Facts, c: &[Ball], u: i64) -> Result<Vec<Ball>, CliError> {
+fn errors(truth: &TrueValues, c: &[Ball], u: i64) -> Result<Vec<Ball>, AuditError> {
     let exact =
-        facts.collision.epsilon(&BigRational::from_integer(u.into()), 30).map_err(CliError::failure)?;
+        truth.collision.epsilon(&BigRational::from_integer(u.into()), 30).map_err(AuditError::failure)?;
     let sum = |order: usize| c[..=order].iter().rev().fold(ball(0), |sum, c| sum * ball(u) + c);
     Ok(ORDERS.iter().map(|&order| (sum(order) - &exact).abs()).collect())
 }

@@ -1,12 +1,12 @@
 //! Section III of \[RPBS1999\] up to (32): the approximate theory.
 
-use super::claim::{Claim, Finding, enclosed, equality, identity, number, right_side};
-use super::dimensions::truth;
-use super::facts::{Facts, ball, one};
-use super::formula::Scope;
-use super::number::{Known, SHOWN_DIGITS, digits};
-use super::samples::Samples;
-use crate::CliError;
+use crate::AuditError;
+use crate::claim::{Claim, Finding, enclosed, equality, identity, number, right_side};
+use crate::formula::Scope;
+use crate::printed_number::{Known, SHOWN_DIGITS, digits};
+use crate::samples::Samples;
+use crate::sections_1_and_2::statement;
+use crate::true_values::{TrueValues, ball, one};
 use num_rational::BigRational;
 use num_traits::One;
 use restitution_law::ForceLaw;
@@ -34,8 +34,8 @@ pub fn claims() -> Vec<Claim> {
             "the integral d of x^(1/2) sqrt(1 - x^(5/2)) from 0 to 1",
             "d = sqrt(pi) Gamma(3/5)/(5 Gamma(21/10))",
             "restitution audit 22",
-            |printed, facts| {
-                let found = equality(printed, &with_integral(facts))?;
+            |printed, truth| {
+                let found = equality(printed, &with_integral(truth))?;
                 Ok(found.noting("computed from C_1 = -2 d (5/4)^(3/5) with C_1 as the appendix gives it"))
             },
         ),
@@ -79,28 +79,28 @@ pub fn claims() -> Vec<Claim> {
             "g* by (29) and (30) gives back (14)",
             &format!("2 d (5/4)^(3/5) = {PREFACTOR}"),
             "restitution audit 29",
-            |printed, facts| equality(printed, &with_integral(facts)),
+            |printed, truth| equality(printed, &with_integral(truth)),
         ),
         Claim::new(
             "30",
             "the numerical factor of g*^(-1/5)",
             &format!("factor = {PREFACTOR}"),
             "restitution audit 30",
-            |printed, facts| {
-                let found = equality(printed, &facts.scope().with("factor", -&facts.c[1]))?;
+            |printed, truth| {
+                let found = equality(printed, &truth.scope().with("factor", -&truth.c[1]))?;
                 Ok(found
                     .noting("factor is -C_1 as the appendix gives it, by trajectories and inverse collision"))
             },
         ),
-        Claim::new("31", "the same as a number", "1.15344", C, |printed, facts| {
-            enclosed(printed, &-&facts.c[1])
+        Claim::new("31", "the same as a number", "1.15344", C, |printed, truth| {
+            enclosed(printed, &-&truth.c[1])
         }),
         Claim::new(
             "31.C1",
             "the constant of (31) has to be equal to C_1 in (6)",
             &format!("C1 = {PREFACTOR}"),
             "restitution audit 31.C1",
-            |printed, facts| equality(printed, &facts.scope().with("C1", -&facts.c[1])),
+            |printed, truth| equality(printed, &truth.scope().with("C1", -&truth.c[1])),
         ),
         theory("32.a1", "a_1 of the approximate theory", "1", |printed, _| coefficient(printed, 1)),
         theory("32.a2", "a_2 of the approximate theory", "3/5", |printed, _| coefficient(printed, 2)),
@@ -108,19 +108,19 @@ pub fn claims() -> Vec<Claim> {
         theory("32.a3.decimal", "the same as a decimal", "0.24", |printed, _| coefficient(printed, 3)),
         theory("32.a4", "a_4 of the approximate theory", "7/125", |printed, _| coefficient(printed, 4)),
         theory("32.a4.decimal", "the same as a decimal", "0.056", |printed, _| coefficient(printed, 4)),
-        Claim::new("32.exact", "its a_2 is the exact value", "a2 = 3/5", A, |printed, facts| {
-            equality(printed, &facts.scope().with("a2", facts.a[2].clone()))
+        Claim::new("32.exact", "its a_2 is the exact value", "a2 = 3/5", A, |printed, truth| {
+            equality(printed, &truth.scope().with("a2", truth.a[2].clone()))
         }),
         Claim::new(
             "32.deviate",
             "its a_3 and a_4 deviate from the correct ones",
             "a_3, a_4",
             A,
-            |_, facts| {
+            |_, truth| {
                 let theory = spheres();
-                let deviates = |k: usize| !facts.a[k].contains_rational(&theory.coefficient(k));
-                let shown = |k: usize| digits(&facts.a[k], SHOWN_DIGITS);
-                Ok(truth(format!("{}, {}", shown(3)?, shown(4)?), deviates(3) && deviates(4)))
+                let deviates = |k: usize| !truth.a[k].contains_rational(&theory.coefficient(k));
+                let shown = |k: usize| digits(&truth.a[k], SHOWN_DIGITS);
+                Ok(statement(format!("{}, {}", shown(3)?, shown(4)?), deviates(3) && deviates(4)))
             },
         ),
     ]
@@ -130,7 +130,7 @@ fn theory(
     id: &'static str,
     statement: &'static str,
     printed: &str,
-    check: fn(&str, &Facts) -> Result<Finding, CliError>,
+    check: fn(&str, &TrueValues) -> Result<Finding, AuditError>,
 ) -> Claim {
     Claim::new(id, statement, printed, "restitution audit 32", check)
 }
@@ -143,17 +143,21 @@ fn spheres() -> ApproximateTheory {
 const TERMS: usize = 12;
 
 /// (18) for the first terms of (20), integrated exactly; `delta` is such that it holds.
-fn energy_lost(samples: &mut Samples) -> Result<Scope<BigRational>, CliError> {
+fn energy_lost(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
     energy(samples.positive(), BigRational::one(), -BigRational::one())
 }
 
 /// The same for (23) and (24): the speed has the factor `eps`, the damping the other sign.
-fn energy_gained(samples: &mut Samples) -> Result<Scope<BigRational>, CliError> {
+fn energy_gained(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
     energy(samples.positive(), samples.positive(), BigRational::one())
 }
 
 /// The change of energy of a motion that starts with `speed`, and the work that makes it.
-fn energy(root: BigRational, speed: BigRational, sign: BigRational) -> Result<Scope<BigRational>, CliError> {
+fn energy(
+    root: BigRational,
+    speed: BigRational,
+    sign: BigRational,
+) -> Result<Scope<BigRational>, AuditError> {
     let (d, work) = (integrated(&BigRational::one())?, integrated(&root)? * &speed);
     let two = BigRational::from_integer(2.into());
     let delta = (root.pow(5) - speed.pow(2)) / two / work * sign;
@@ -162,7 +166,7 @@ fn energy(root: BigRational, speed: BigRational, sign: BigRational) -> Result<Sc
 }
 
 /// The integral of `sqrt(xi) sqrt(1 - (xi/xi0)^(5/2))` from 0 to `xi0 = root^2`, term by term.
-fn integrated(root: &BigRational) -> Result<BigRational, CliError> {
+fn integrated(root: &BigRational) -> Result<BigRational, AuditError> {
     let mut base = vec![0; 5 * TERMS];
     (base[0], base[5]) = (1, -1);
     let half = BigRational::new(1.into(), 2.into());
@@ -177,14 +181,14 @@ fn integrated(root: &BigRational) -> Result<BigRational, CliError> {
 }
 
 /// `d` as the appendix implies it: `C_1 = -2 d (5/4)^(3/5)`, with `C_1` from the trajectories.
-fn with_integral(facts: &Facts) -> Scope<Ball> {
+fn with_integral(truth: &TrueValues) -> Scope<Ball> {
     let exponent = BigRational::new(3.into(), 5.into());
-    let scale = Ball::from_ratio(5, 4, facts.c[1].prec()).pow(&exponent);
-    facts.scope().with("d", -(&facts.c[1] / scale).shifted(-1))
+    let scale = Ball::from_ratio(5, 4, truth.c[1].prec()).pow(&exponent);
+    truth.scope().with("d", -(&truth.c[1] / scale).shifted(-1))
 }
 
 /// Numbers that solve (21) and (26): `xi0 = h^2`, `eps = h^5`, `d delta = (1 - h^5)/(2 h^3)`.
-fn solved(samples: &mut Samples) -> Result<Scope<BigRational>, CliError> {
+fn solved(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
     let (h, d) = (samples.positive(), samples.positive());
     let two = BigRational::from_integer(2.into());
     let delta = (BigRational::one() - h.pow(5)) / (two * h.pow(3)) / &d;
@@ -194,7 +198,7 @@ fn solved(samples: &mut Samples) -> Result<Scope<BigRational>, CliError> {
 /// The printed `eps` put into (25), with `d delta` from (21).
 ///
 /// What (25) then leaves is `(1 + eps)(xi0^(5/2) - eps)/2`, so that no other positive `eps` passes.
-fn combined(printed: &str) -> Result<Finding, CliError> {
+fn combined(printed: &str) -> Result<Finding, AuditError> {
     let right = right_side(printed)?;
     let equation = "1/2 xi0^(5/2) - 1/2 eps^2 = eps (1/2 - 1/2 xi0^(5/2))/xi0^(3/2) xi0^(3/2)";
     identity(equation, "random rational points, exactly", |samples| {
@@ -205,7 +209,7 @@ fn combined(printed: &str) -> Result<Finding, CliError> {
 }
 
 /// The solution of (27), and the fraction broken off, at `s = 1, 10^3, 10^6, 10^9`.
-fn no_divergence() -> Result<Finding, CliError> {
+fn no_divergence() -> Result<Finding, AuditError> {
     let theory = spheres();
     let mut holds = true;
     let mut shown = Vec::new();
@@ -216,11 +220,11 @@ fn no_divergence() -> Result<Finding, CliError> {
         holds &= eps.is_positive() && (one() - &eps).is_positive() && level.is_positive();
         shown.push(format!("s = 1e{power}: {}", digits(&eps, 6)?));
     }
-    Ok(truth(format!("eps at {}", shown.join(", ")), holds))
+    Ok(statement(format!("eps at {}", shown.join(", ")), holds))
 }
 
 /// `a_k` of (27), checked by putting the series into the equation.
-fn coefficient(printed: &str, k: usize) -> Result<Finding, CliError> {
+fn coefficient(printed: &str, k: usize) -> Result<Finding, AuditError> {
     let theory = spheres();
     let found = number(printed, &Known::Exactly(theory.coefficient(k)), None)?;
     let signed = theory
@@ -232,7 +236,7 @@ fn coefficient(printed: &str, k: usize) -> Result<Finding, CliError> {
     let raised = eps.power(theory.exponent())?;
     for k in 1..=8 {
         if eps.coefficient(k)? + raised.coefficient(k - 1)? != BigRational::from_integer(0.into()) {
-            return Err(CliError::failure("the coefficients of the approximate theory do not solve (27)"));
+            return Err(AuditError::failure("the coefficients of the approximate theory do not solve (27)"));
         }
     }
     Ok(found)

@@ -1,12 +1,12 @@
 //! The appendix of \[RPBS1999\], (A31) to (A36), and (33), (34): the coefficients.
 
-use super::claim::{Claim, Finding, Slip, enclosed, identity, number, right_side};
-use super::facts::{self, Facts};
-use super::formal::inverse_collision;
-use super::formula::Scope;
-use super::number::{Known, digits};
-use super::samples::Samples;
-use crate::CliError;
+use crate::AuditError;
+use crate::claim::{Claim, Finding, Slip, enclosed, identity, number, right_side};
+use crate::formula::Scope;
+use crate::free_series::inverse_collision;
+use crate::printed_number::{Known, digits};
+use crate::samples::Samples;
+use crate::true_values::{self, TrueValues};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use restitution_real::Ball;
@@ -23,7 +23,8 @@ const BRACKETS: &str = "o1 = -4/5 y0 C1 + 2 y1; \
 
 /// The claims.
 pub fn claims() -> Vec<Claim> {
-    let formulas = (1..).zip(facts::C).map(|(k, formula)| format!("C{k} = {formula}")).collect::<Vec<_>>();
+    let formulas =
+        (1..).zip(true_values::C).map(|(k, formula)| format!("C{k} = {formula}")).collect::<Vec<_>>();
     vec![
         Claim::new(
             "A31",
@@ -37,9 +38,9 @@ pub fn claims() -> Vec<Claim> {
             "the solution of (A31)",
             &formulas.join("; "),
             "restitution audit A32",
-            |printed, facts| readings(solution(printed)?, facts),
+            |printed, truth| readings(solution(printed)?, truth),
         ),
-        Claim::new("A32.C1", "C_1", "-1.153449", C, |printed, facts| enclosed(printed, &facts.c[1])),
+        Claim::new("A32.C1", "C_1", "-1.153449", C, |printed, truth| enclosed(printed, &truth.c[1])),
         Claim::new(
             "A32.C2.equal",
             "C_2 in terms of C_1",
@@ -47,12 +48,12 @@ pub fn claims() -> Vec<Claim> {
             "restitution audit A32.C2.equal",
             |printed, _| identity(printed, "random rational points, exactly", compressions),
         ),
-        Claim::new("A32.C2", "C_2", "0.798267", C, |printed, facts| enclosed(printed, &facts.c[2])),
-        Claim::new("A32.C3", "C_3", "-0.483582", C, |printed, facts| c(printed, facts, 3)),
-        Claim::new("A32.C4", "C_4", "0.285279", C, |printed, facts| c(printed, facts, 4)),
-        Claim::new("34.C3", "C_3 in the main text", "-0.483582", C, |printed, facts| c(printed, facts, 3)),
-        Claim::new("34.C4", "C_4 in the main text", "0.285279", C, |printed, facts| c(printed, facts, 4)),
-        Claim::new("A33", "a_1", "1", A, |printed, facts| enclosed(printed, &facts.a[1])),
+        Claim::new("A32.C2", "C_2", "0.798267", C, |printed, truth| enclosed(printed, &truth.c[2])),
+        Claim::new("A32.C3", "C_3", "-0.483582", C, |printed, truth| c(printed, truth, 3)),
+        Claim::new("A32.C4", "C_4", "0.285279", C, |printed, truth| c(printed, truth, 4)),
+        Claim::new("34.C3", "C_3 in the main text", "-0.483582", C, |printed, truth| c(printed, truth, 3)),
+        Claim::new("34.C4", "C_4 in the main text", "0.285279", C, |printed, truth| c(printed, truth, 4)),
+        Claim::new("A33", "a_1", "1", A, |printed, truth| enclosed(printed, &truth.a[1])),
         Claim::new(
             "A34",
             "a_2 by (A32)",
@@ -60,34 +61,34 @@ pub fn claims() -> Vec<Claim> {
             "restitution audit A34",
             |printed, _| identity(printed, "random rational points, exactly", compressions),
         ),
-        Claim::new("A35", "a_3", "0.315119", A, |printed, facts| a(printed, facts, 3)),
-        Claim::new("A36", "a_4", "0.161167", A, |printed, facts| a(printed, facts, 4)),
-        Claim::new("33.a3", "a_3 in the main text", "0.315119", A, |printed, facts| a(printed, facts, 3)),
-        Claim::new("33.a4", "a_4 in the main text", "0.161167", A, |printed, facts| a(printed, facts, 4)),
+        Claim::new("A35", "a_3", "0.315119", A, |printed, truth| a(printed, truth, 3)),
+        Claim::new("A36", "a_4", "0.161167", A, |printed, truth| a(printed, truth, 4)),
+        Claim::new("33.a3", "a_3 in the main text", "0.315119", A, |printed, truth| a(printed, truth, 3)),
+        Claim::new("33.a4", "a_4 in the main text", "0.161167", A, |printed, truth| a(printed, truth, 4)),
     ]
 }
 
 const CHAIN: &str = "carrying the halved corrections of y_2 and y_3 on";
 
-fn c(printed: &str, facts: &Facts, k: usize) -> Result<Finding, CliError> {
-    let slip = Slip { mistake: CHAIN, gives: Known::Within(facts.halved.c[k].clone()) };
-    number(printed, &Known::Within(facts.c[k].clone()), Some(slip))
+fn c(printed: &str, truth: &TrueValues, k: usize) -> Result<Finding, AuditError> {
+    let slip = Slip { mistake: CHAIN, gives: Known::Within(truth.halved.c[k].clone()) };
+    number(printed, &Known::Within(truth.c[k].clone()), Some(slip))
 }
 
-fn a(printed: &str, facts: &Facts, k: usize) -> Result<Finding, CliError> {
-    let slip = Slip { mistake: CHAIN, gives: Known::Within(facts.halved.a[k].clone()) };
-    number(printed, &Known::Within(facts.a[k].clone()), Some(slip))
+fn a(printed: &str, truth: &TrueValues, k: usize) -> Result<Finding, AuditError> {
+    let slip = Slip { mistake: CHAIN, gives: Known::Within(truth.halved.a[k].clone()) };
+    number(printed, &Known::Within(truth.a[k].clone()), Some(slip))
 }
 
 const NAMES: [&str; 4] = ["C1", "C2", "C3", "C4"];
 const COMPRESSIONS: [&str; 4] = ["y0", "y1", "y2", "y3"];
 
-fn compressions(samples: &mut Samples) -> Result<Scope<BigRational>, CliError> {
+fn compressions(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
     Ok(Scope::new(BigRational::one()).with_all(&COMPRESSIONS, samples.fractions(4)))
 }
 
 /// (A29), its right side minus its left, expanded exactly for free `y_k` and `C_k`.
-fn orders(samples: &mut Samples) -> Result<Scope<BigRational>, CliError> {
+fn orders(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
     let (y, c) = (samples.fractions(4), samples.fractions(4));
     let orders = inverse_collision(&y, &c)?;
     let scope = Scope::new(BigRational::one()).with_all(&COMPRESSIONS, y).with_all(&NAMES, c);
@@ -95,7 +96,7 @@ fn orders(samples: &mut Samples) -> Result<Scope<BigRational>, CliError> {
 }
 
 /// The printed `C_k`, put into (A29), make its first four orders vanish.
-fn solution(printed: &str) -> Result<Finding, CliError> {
+fn solution(printed: &str) -> Result<Finding, AuditError> {
     let formulas = printed.split(';').map(right_side).collect::<Result<Vec<_>, _>>()?;
     identity("o1 = 0; o2 = 0; o3 = 0; o4 = 0", "random compressions, exactly", |samples| {
         let y = samples.fractions(4);
@@ -108,8 +109,8 @@ fn solution(printed: &str) -> Result<Finding, CliError> {
 }
 
 /// What the scan of (A32) shows instead, and what it would give.
-fn readings(found: Finding, facts: &Facts) -> Result<Finding, CliError> {
-    let y = &facts.y;
+fn readings(found: Finding, truth: &TrueValues) -> Result<Finding, AuditError> {
+    let y = &truth.y;
     let read = (&y[1] / &y[2]) * Ball::from_ratio(5, 2, y[1].prec());
     Ok(found
         .noting("read with y_1/y_0; the copy at hand has y_1/y_2 in C_1, C_2 and the first terms of C_3, C_4, and y_0 in the others")

@@ -1,8 +1,8 @@
 //! The Padé constants of \[MP2011\], in the square root of `u`, the contact ending at zero force.
 
-use super::claim::{Claim, Finding, enclosed};
-use super::facts::Facts;
-use crate::CliError;
+use crate::AuditError;
+use crate::claim::{Claim, Finding, enclosed};
+use crate::true_values::TrueValues;
 use restitution_pade::{PadeType, approximant};
 
 /// Which polynomial a constant belongs to.
@@ -38,12 +38,12 @@ pub fn claims() -> Vec<Claim> {
 
 fn constant(
     printed: &str,
-    facts: &Facts,
+    truth: &TrueValues,
     (l, m): (usize, usize),
     part: Part,
     k: usize,
-) -> Result<Finding, CliError> {
-    let found = approximant(&facts.h, PadeType::new(l, m)).map_err(CliError::failure)?;
+) -> Result<Finding, AuditError> {
+    let found = approximant(&truth.h, PadeType::new(l, m)).map_err(AuditError::failure)?;
     let polynomial = match part {
         Part::Num => found.num(),
         Part::Den => found.den(),

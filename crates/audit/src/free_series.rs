@@ -1,7 +1,7 @@
 //! The paper's steps on formal series with freely chosen numbers, apart from the project's own engine.
 
-use super::samples::Samples;
-use crate::CliError;
+use crate::AuditError;
+use crate::samples::Samples;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use restitution_series::{Field, FractionalSeries, SeriesError};
@@ -13,7 +13,7 @@ use restitution_series::{Field, FractionalSeries, SeriesError};
 /// ```
 ///
 /// `root` is `g^(1/5)`.
-pub fn collected_orders(alpha: &BigRational, root: &BigRational) -> Result<Vec<BigRational>, CliError> {
+pub fn collected_orders(alpha: &BigRational, root: &BigRational) -> Result<Vec<BigRational>, AuditError> {
     let mut b = vec![BigRational::zero(), BigRational::zero(), root.pow(4)];
     for k in 3..10_i64 {
         b.push(BigRational::zero());

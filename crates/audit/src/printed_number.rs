@@ -1,9 +1,9 @@
 //! Numbers as they are printed, against numbers that are known.
 
-use crate::CliError;
-use crate::exact::Exact;
+use crate::AuditError;
 use num_rational::BigRational;
 use num_traits::Signed;
+use restitution_law::exact::Exact;
 use restitution_real::Ball;
 use restitution_real::convert::rug_rational;
 use rug::Rational;
@@ -35,7 +35,7 @@ pub enum Agreement {
 
 impl Known {
     /// Returns the number as it is shown: a fraction, or [`SHOWN_DIGITS`] proved digits.
-    pub fn shown(&self) -> Result<String, CliError> {
+    pub fn shown(&self) -> Result<String, AuditError> {
         match self {
             Self::Exactly(value) => Ok(value.to_string()),
             Self::Within(ball) => digits(ball, SHOWN_DIGITS),
@@ -43,12 +43,14 @@ impl Known {
     }
 
     /// Bounds that hold exactly.
-    fn bounds(&self) -> Result<(Rational, Rational), CliError> {
+    fn bounds(&self) -> Result<(Rational, Rational), AuditError> {
         match self {
             Self::Exactly(value) => Ok((rug_rational(value), rug_rational(value))),
             Self::Within(ball) => {
                 let bounds = ball.lower().to_rational().zip(ball.upper().to_rational());
-                bounds.filter(|_| ball.is_finite()).ok_or_else(|| CliError::failure("a number is not known"))
+                bounds
+                    .filter(|_| ball.is_finite())
+                    .ok_or_else(|| AuditError::failure("a number is not known"))
             }
         }
     }
@@ -58,9 +60,9 @@ impl Agreement {
     /// Compares a printed decimal or fraction with a number.
     ///
     /// A ball that leaves the answer open is an error: the verdict must be certain.
-    pub fn of(printed: &str, known: &Known) -> Result<Self, CliError> {
+    pub fn of(printed: &str, known: &Known) -> Result<Self, AuditError> {
         let value =
-            exact(printed).ok_or_else(|| CliError::failure(format!("'{printed}' is not a number")))?;
+            exact(printed).ok_or_else(|| AuditError::failure(format!("'{printed}' is not a number")))?;
         let bounds = known.bounds()?;
         let printed_exactly = rug_rational(&value);
         if bounds.0 == printed_exactly && bounds.1 == printed_exactly {
@@ -92,14 +94,14 @@ fn inside(
     from: &BigRational,
     to: &BigRational,
     printed: &str,
-) -> Result<bool, CliError> {
+) -> Result<bool, AuditError> {
     let (from, to) = (rug_rational(from), rug_rational(to));
     if from <= *low && *high <= to {
         Ok(true)
     } else if *high < from || to < *low {
         Ok(false)
     } else {
-        Err(CliError::failure(format!("the precision does not tell whether {printed} is right")))
+        Err(AuditError::failure(format!("the precision does not tell whether {printed} is right")))
     }
 }
 
@@ -109,8 +111,8 @@ pub fn exact(text: &str) -> Option<BigRational> {
 }
 
 /// Returns a ball's value with this many proved digits.
-pub fn digits(ball: &Ball, digits: usize) -> Result<String, CliError> {
-    ball.to_digits(digits).ok_or_else(|| CliError::failure(format!("{digits} digits could not be proved")))
+pub fn digits(ball: &Ball, digits: usize) -> Result<String, AuditError> {
+    ball.to_digits(digits).ok_or_else(|| AuditError::failure(format!("{digits} digits could not be proved")))
 }
 
 #[cfg(test)]

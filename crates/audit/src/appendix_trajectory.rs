@@ -1,12 +1,12 @@
 //! The appendix of \[RPBS1999\], (A6) to (A14): the trajectory.
 
-use super::claim::{Claim, Finding, Slip, Verdict, identity, number};
-use super::facts::Facts;
-use super::formal::{collected_orders, residual};
-use super::formula::Scope;
-use super::number::Known;
-use super::samples::Samples;
-use crate::CliError;
+use crate::AuditError;
+use crate::claim::{Claim, Finding, Slip, Verdict, identity, number};
+use crate::formula::Scope;
+use crate::free_series::{collected_orders, residual};
+use crate::printed_number::Known;
+use crate::samples::Samples;
+use crate::true_values::TrueValues;
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, Zero};
@@ -66,8 +66,8 @@ fn table() -> Vec<Claim> {
 }
 
 /// A coefficient of (A14) against the exact one; the slip tried is a lost last digit.
-fn entry(printed: &str, facts: &Facts, n: usize, j: usize) -> Result<Finding, CliError> {
-    let exact = facts.trajectories.coefficients(n)?[j].clone();
+fn entry(printed: &str, truth: &TrueValues, n: usize, j: usize) -> Result<Finding, AuditError> {
+    let exact = truth.trajectories.coefficients(n)?[j].clone();
     let shortened = exact.denom() / BigInt::from(10);
     let gives =
         if shortened.is_zero() { exact.clone() } else { Ratio::new_raw(exact.numer().clone(), shortened) };
@@ -117,8 +117,8 @@ fn count_in(unit: Unit, b: &mut [BigRational], root: &BigRational) {
 /// Judges formulas for the `b_k` in the unit of (A3), and if they fail, in units of `b_2`.
 fn in_either_unit(
     printed: &str,
-    point: impl Fn(&mut Samples, Unit) -> Result<Scope<BigRational>, CliError>,
-) -> Result<Finding, CliError> {
+    point: impl Fn(&mut Samples, Unit) -> Result<Scope<BigRational>, AuditError>,
+) -> Result<Finding, AuditError> {
     let defined = identity(printed, "points", |samples| point(samples, Unit::AsDefined))?;
     if defined.verdict == Verdict::Holds {
         return identity(printed, "random rational points, exactly", |samples| {
@@ -139,7 +139,7 @@ fn in_either_unit(
 /// The orders of the left side of (A1) for `b_5 .. b_9` drawn at random.
 ///
 /// Freely chosen `b_k` stand for the unknowns of (A6); counted in units of `b_2`, so is the equation.
-fn orders(samples: &mut Samples, unit: Unit) -> Result<Scope<BigRational>, CliError> {
+fn orders(samples: &mut Samples, unit: Unit) -> Result<Scope<BigRational>, AuditError> {
     let (alpha, root) = (samples.fraction(), samples.positive());
     let speed = root.pow(4);
     let drawn = samples.fractions(5);
@@ -154,7 +154,7 @@ fn orders(samples: &mut Samples, unit: Unit) -> Result<Scope<BigRational>, CliEr
 }
 
 /// The sum of the collected orders up to `t^4` at `t = w^2`.
-fn trajectory(samples: &mut Samples) -> Result<Scope<BigRational>, CliError> {
+fn trajectory(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
     let (alpha, root, w) = (samples.fraction(), samples.positive(), samples.positive());
     let b = collected_orders(&alpha, &root)?;
     let x = b.iter().take(9).zip(0..).map(|(b, k)| b * w.pow(k)).sum();

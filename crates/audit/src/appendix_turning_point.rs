@@ -1,12 +1,12 @@
 //! The appendix of \[RPBS1999\], (A16) to (A27): the turning point and the largest compression.
 
-use super::claim::{Claim, Finding, Slip, equality, identity, number};
-use super::facts::{self, Facts};
-use super::formal::FreeMotion;
-use super::formula::{Formula, Scope};
-use super::number::{Agreement, Known, digits};
-use super::samples::Samples;
-use crate::CliError;
+use crate::AuditError;
+use crate::claim::{Claim, Finding, Slip, equality, identity, number};
+use crate::formula::{Formula, Scope};
+use crate::free_series::FreeMotion;
+use crate::printed_number::{Agreement, Known, digits};
+use crate::samples::Samples;
+use crate::true_values::{self, TrueValues};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use restitution_real::Ball;
@@ -15,8 +15,8 @@ const COMMAND: &str = "restitution table --quantity y --order 3 --digits 20";
 
 /// The claims.
 pub fn claims() -> Vec<Claim> {
-    let y2 = format!("y2 = {}", facts::Y2);
-    let y3 = format!("y3 = {}", facts::Y3);
+    let y2 = format!("y2 = {}", true_values::Y2);
+    let y3 = format!("y3 = {}", true_values::Y3);
     vec![
         Claim::new(
             "A16",
@@ -30,7 +30,7 @@ pub fn claims() -> Vec<Claim> {
             "the largest compression of the undamped collision",
             "x0 = (5/4)^(2/5)",
             COMMAND,
-            |printed, facts| equality(printed, &facts.turning.scope()),
+            |printed, truth| equality(printed, &truth.turning.scope()),
         ),
         Claim::new(
             "A20",
@@ -50,8 +50,8 @@ pub fn claims() -> Vec<Claim> {
             "restitution audit A21",
             |printed, _| identity(printed, "random motions, exactly", shift),
         ),
-        Claim::new("A24", "y_0", "1.093362", COMMAND, |printed, facts| compression(printed, facts, 0)),
-        Claim::new("A25", "y_1", "-0.504455", COMMAND, |printed, facts| compression(printed, facts, 1)),
+        Claim::new("A24", "y_0", "1.093362", COMMAND, |printed, truth| compression(printed, truth, 0)),
+        Claim::new("A25", "y_1", "-0.504455", COMMAND, |printed, truth| compression(printed, truth, 1)),
         Claim::new(
             "A26.formula",
             "y_2 by derivatives at T",
@@ -59,54 +59,62 @@ pub fn claims() -> Vec<Claim> {
             "restitution audit A26.formula",
             |printed, _| identity(printed, "random motions, exactly", compressed),
         ),
-        Claim::new("A26", "y_2", "0.260542", COMMAND, |printed, facts| {
-            halved(printed, facts, 2, facts::Y2, &facts.halved.y2)
+        Claim::new("A26", "y_2", "0.260542", COMMAND, |printed, truth| {
+            halved(printed, truth, 2, true_values::Y2, &truth.halved.y2)
         }),
         Claim::new(
             "A27.formula",
             "y_3 by derivatives at T",
             &y3,
             "restitution audit A27.formula",
-            |printed, facts| readings(identity(printed, "random motions, exactly", compressed)?, facts),
+            |printed, truth| readings(identity(printed, "random motions, exactly", compressed)?, truth),
         ),
-        Claim::new("A27", "y_3", "-0.136769", COMMAND, |printed, facts| {
-            halved(printed, facts, 3, facts::Y3, &facts.halved.y3)
+        Claim::new("A27", "y_3", "-0.136769", COMMAND, |printed, truth| {
+            halved(printed, truth, 3, true_values::Y3, &truth.halved.y3)
         }),
     ]
 }
 
 /// `x_0'` vanishes at the printed `T`, summed from the exact series with a proved tail.
-fn half_duration(printed: &str, facts: &Facts) -> Result<Finding, CliError> {
-    let turning = &facts.turning;
+fn half_duration(printed: &str, truth: &TrueValues) -> Result<Finding, AuditError> {
+    let turning = &truth.turning;
     if !turning.velocity[0].contains_zero() {
-        return Err(CliError::failure("x_0' does not vanish at T"));
+        return Err(AuditError::failure("x_0' does not vanish at T"));
     }
-    let found = equality(printed, &facts.scope().with("T", turning.time.clone()))?;
+    let found = equality(printed, &truth.scope().with("T", turning.time.clone()))?;
     Ok(found.noting(format!("x_0'(T) = 0 +/- {} from the exact series", turning.velocity[0].radius_text())))
 }
 
 /// `y_0` and `y_1`, which are also `x_0(T)` and `x_1(T)` (A24), (A25).
-fn compression(printed: &str, facts: &Facts, k: usize) -> Result<Finding, CliError> {
-    if !facts.y[k].overlaps(&facts.turning.position[k]) {
-        return Err(CliError::failure(format!("y_{k} is not x_{k}(T)")));
+fn compression(printed: &str, truth: &TrueValues, k: usize) -> Result<Finding, AuditError> {
+    if !truth.y[k].overlaps(&truth.turning.position[k]) {
+        return Err(AuditError::failure(format!("y_{k} is not x_{k}(T)")));
     }
-    number(printed, &Known::Within(facts.y[k].clone()), None)
+    number(printed, &Known::Within(truth.y[k].clone()), None)
 }
 
 /// `y_k` beside the printed formula at the certified derivatives, its corrections whole and halved.
-fn halved(printed: &str, facts: &Facts, k: usize, formula: &str, slip: &Ball) -> Result<Finding, CliError> {
-    let right = Formula::read(formula)?.value(&facts.turning.scope())?;
-    if !right.overlaps(&facts.y[k]) {
-        return Err(CliError::failure(format!("the formula of y_{k} does not give the y_{k} of the engine")));
+fn halved(
+    printed: &str,
+    truth: &TrueValues,
+    k: usize,
+    formula: &str,
+    slip: &Ball,
+) -> Result<Finding, AuditError> {
+    let right = Formula::read(formula)?.value(&truth.turning.scope())?;
+    if !right.overlaps(&truth.y[k]) {
+        return Err(AuditError::failure(format!(
+            "the formula of y_{k} does not give the y_{k} of the engine"
+        )));
     }
     let mistake = "taking everything after the first term of the formula with half its weight";
     let slip = Slip { mistake, gives: Known::Within(slip.clone()) };
-    let found = number(printed, &Known::Within(facts.y[k].clone()), Some(slip))?;
-    let first = &facts.turning.position[k];
+    let found = number(printed, &Known::Within(truth.y[k].clone()), Some(slip))?;
+    let first = &truth.turning.position[k];
     let rest = right - first;
     let line = |weight: &str, rest: &Ball| {
         let sum = digits(&(first + rest), 12)?;
-        Ok::<_, CliError>(format!("{weight}: {} + ({}) = {sum}", digits(first, 12)?, digits(rest, 12)?))
+        Ok::<_, AuditError>(format!("{weight}: {} + ({}) = {sum}", digits(first, 12)?, digits(rest, 12)?))
     };
     Ok(found
         .noting(line(&format!("x_{k}(T) and the other terms"), &rest)?)
@@ -114,17 +122,17 @@ fn halved(printed: &str, facts: &Facts, k: usize, formula: &str, slip: &Ball) ->
 }
 
 /// What the scan of (A27) leaves open, and what the numbers say about it.
-fn readings(found: Finding, facts: &Facts) -> Result<Finding, CliError> {
-    let scope = facts.turning.scope();
-    let right = Formula::read(facts::Y3)?.value(&scope)?;
-    let plain = Formula::read(&facts::Y3.replace("x1''/x0''^2", "x1''/x0''"))?.value(&scope)?;
-    let x3 = &facts.turning.position[3];
+fn readings(found: Finding, truth: &TrueValues) -> Result<Finding, AuditError> {
+    let scope = truth.turning.scope();
+    let right = Formula::read(true_values::Y3)?.value(&scope)?;
+    let plain = Formula::read(&true_values::Y3.replace("x1''/x0''^2", "x1''/x0''"))?.value(&scope)?;
+    let x3 = &truth.turning.position[3];
     let halved = |y: &Ball| x3 + (y - x3).shifted(-1);
     let printed_by = |y: &Ball| Agreement::of("-0.136769", &Known::Within(y.clone()));
     let squared = printed_by(&halved(&right))? != Agreement::None;
     let unsquared = printed_by(&halved(&plain))? != Agreement::None || printed_by(&plain)? != Agreement::None;
     if !squared || unsquared {
-        return Err(CliError::failure("the readings of (A27) are not as its notes say"));
+        return Err(AuditError::failure("the readings of (A27) are not as its notes say"));
     }
     Ok(found
         .noting(format!(
@@ -158,7 +166,7 @@ fn motion(samples: &mut Samples) -> (FreeMotion, Scope<BigRational>) {
     (FreeMotion(scaled.collect()), scope)
 }
 
-fn orders(samples: &mut Samples) -> Result<Scope<BigRational>, CliError> {
+fn orders(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
     let (motion, scope) = motion(samples);
     let mut shift = vec![BigRational::zero()];
     shift.extend(samples.fractions(3));
@@ -167,12 +175,12 @@ fn orders(samples: &mut Samples) -> Result<Scope<BigRational>, CliError> {
     Ok(scope.with_all(&["Y0", "Y1", "Y2", "Y3"], velocity))
 }
 
-fn shift(samples: &mut Samples) -> Result<Scope<BigRational>, CliError> {
+fn shift(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
     let (motion, scope) = motion(samples);
     Ok(scope.with_all(&["t0", "t1", "t2", "t3"], motion.turning_point()))
 }
 
-fn compressed(samples: &mut Samples) -> Result<Scope<BigRational>, CliError> {
+fn compressed(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
     let motion = FreeMotion::draw(samples);
     let compression = motion.at(&motion.turning_point(), 0);
     Ok(derivatives(&motion).with_all(&["y0", "y1", "y2", "y3"], compression))

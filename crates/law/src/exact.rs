@@ -37,7 +37,7 @@ pub enum NumberError {
 /// # Examples
 ///
 /// ```
-/// use restitution_cli::exact::{Exact, NumberError};
+/// use restitution_law::exact::{Exact, NumberError};
 ///
 /// let tenth: Exact = "0.1".parse()?;
 /// assert_eq!(tenth.value().to_string(), "1/10");

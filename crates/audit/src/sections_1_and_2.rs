@@ -1,14 +1,15 @@
 //! Sections I and II of \[RPBS1999\]: the expansion as quoted, and the dimensional analysis.
 
-use super::claim::{Claim, Finding, Verdict, enclosed, identity, number, right_side, sides};
-use super::facts::{ball, fraction, one};
-use super::formula::Scope;
-use super::number::Known;
-use super::samples::Samples;
-use crate::CliError;
+use crate::AuditError;
+use crate::PowerForces;
+use crate::claim::{Claim, Finding, Verdict, enclosed, identity, number, right_side, sides};
+use crate::formula::Scope;
+use crate::printed_number::Known;
+use crate::samples::Samples;
+use crate::true_values::{ball, fraction, one};
 use num_rational::BigRational;
 use num_traits::One;
-use restitution_law::{ForceLaw, PowerForces};
+use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use restitution_series::FractionalSeries;
 
@@ -17,10 +18,10 @@ const TABLE: &str = "restitution table --quantity C --order 2 --digits 20";
 /// The claims.
 pub fn claims() -> Vec<Claim> {
     vec![
-        Claim::new("6.C1", "C_1 where (6) has an explicit minus", "1.15344", TABLE, |printed, facts| {
-            enclosed(printed, &-&facts.c[1])
+        Claim::new("6.C1", "C_1 where (6) has an explicit minus", "1.15344", TABLE, |printed, truth| {
+            enclosed(printed, &-&truth.c[1])
         }),
-        Claim::new("6.C2", "C_2", "0.79826", TABLE, |printed, facts| enclosed(printed, &facts.c[2])),
+        Claim::new("6.C2", "C_2", "0.79826", TABLE, |printed, truth| enclosed(printed, &truth.c[2])),
         Claim::new(
             "8",
             "the largest compression takes up the energy m g^2/2 of the impact",
@@ -100,7 +101,7 @@ struct Forces {
 }
 
 impl Forces {
-    fn new(samples: &mut Samples) -> Result<Self, CliError> {
+    fn new(samples: &mut Samples) -> Result<Self, AuditError> {
         let mut draw = || samples.positive();
         let forces = PowerForces::new(draw(), draw(), draw())?;
         Ok(Self {
@@ -133,7 +134,7 @@ impl Forces {
 }
 
 /// (8) put into the balance of energy, `D1 xi0^(alpha+1)/(alpha+1) = g^2/2`.
-fn largest_compression(printed: &str) -> Result<Finding, CliError> {
+fn largest_compression(printed: &str) -> Result<Finding, AuditError> {
     let formula = right_side(printed)?;
     identity("D1 xi0^(alpha + 1)/(alpha + 1) = g^2/2", "random forces, to 35 digits", |samples| {
         let names = Forces::new(samples)?.names();
@@ -143,7 +144,7 @@ fn largest_compression(printed: &str) -> Result<Finding, CliError> {
 }
 
 /// The right side of (12), less the left, is `1 + alpha` times the exponent of `g` in (11).
-fn condition(printed: &str) -> Result<Finding, CliError> {
+fn condition(printed: &str) -> Result<Finding, AuditError> {
     let (left, right) = sides(printed)?;
     identity("(1 + alpha) p = condition", "random exponents, exactly", |samples| {
         let (alpha, beta, gamma) = (samples.positive(), samples.positive(), samples.positive());
@@ -161,7 +162,7 @@ fn constant_restitution(numerator: i64, denominator: i64) -> BigRational {
 }
 
 /// `rho xi^(3/2)` and its derivative by the exact series.
-fn forces_of_spheres(samples: &mut Samples) -> Result<Scope<BigRational>, CliError> {
+fn forces_of_spheres(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
     let (root, rho) = (samples.positive(), samples.fraction());
     let force = FractionalSeries::<BigRational>::from_integers(2, &[0, 0, 0, 1]);
     let slope = force.derivative()?.coefficient(1)? * &rho * &root;
@@ -185,7 +186,7 @@ fn constant_viscoelastic() -> BigRational {
 }
 
 /// (14) with `D1 = rho/m` and `D2 = (3/2) A rho/m` put into (11).
-fn damping_of_spheres(samples: &mut Samples) -> Result<Scope<Ball>, CliError> {
+fn damping_of_spheres(samples: &mut Samples) -> Result<Scope<Ball>, AuditError> {
     let mut draw = || fraction(&samples.positive());
     let (a, rho, mass, g) = (draw(), draw(), draw(), draw());
     let stiffness = &rho / &mass;
@@ -195,6 +196,6 @@ fn damping_of_spheres(samples: &mut Samples) -> Result<Scope<Ball>, CliError> {
 }
 
 /// The verdict on something that is true or not.
-pub fn truth(computed: impl ToString, holds: bool) -> Finding {
+pub fn statement(computed: impl ToString, holds: bool) -> Finding {
     Finding::new(computed, if holds { Verdict::Holds } else { Verdict::Wrong(None) })
 }

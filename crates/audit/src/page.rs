@@ -1,6 +1,6 @@
 //! The audit as a page in Markdown.
 
-use super::{Judged, Verdict};
+use crate::{Judged, Verdict};
 use std::fmt::Write;
 
 const HEAD: &str = "# Audit of the paper

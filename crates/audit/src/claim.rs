@@ -1,10 +1,10 @@
 //! One statement of a paper and what is found about it.
 
-use super::facts::Facts;
-use super::formula::{Constants, Formula, Scope};
-use super::number::{Agreement, Known, SHOWN_DIGITS, digits};
-use super::samples::Samples;
-use crate::CliError;
+use crate::AuditError;
+use crate::formula::{Constants, Formula, Scope};
+use crate::printed_number::{Agreement, Known, SHOWN_DIGITS, digits};
+use crate::samples::Samples;
+use crate::true_values::TrueValues;
 use num_rational::BigRational;
 use restitution_real::Ball;
 use restitution_series::{Field, ZeroTest};
@@ -21,16 +21,16 @@ pub struct Claim {
     pub printed: String,
     /// A command whose output shows the computed side.
     pub command: &'static str,
-    pub(super) check: fn(&str, &Facts) -> Result<Finding, CliError>,
+    pub(crate) check: fn(&str, &TrueValues) -> Result<Finding, AuditError>,
 }
 
 impl Claim {
-    pub(super) fn new(
+    pub(crate) fn new(
         id: &'static str,
         statement: &'static str,
         printed: &str,
         command: &'static str,
-        check: fn(&str, &Facts) -> Result<Finding, CliError>,
+        check: fn(&str, &TrueValues) -> Result<Finding, AuditError>,
     ) -> Self {
         Self { id, statement, printed: printed.to_owned(), command, check }
     }
@@ -40,9 +40,9 @@ impl Claim {
     /// # Errors
     ///
     /// What the computation says; a comparison that the precision does not decide.
-    pub fn judge(&self, facts: &Facts) -> Result<Finding, CliError> {
-        (self.check)(&self.printed, facts)
-            .map_err(|error| CliError::failure(format!("claim {}: {error}", self.id)))
+    pub fn judge(&self, truth: &TrueValues) -> Result<Finding, AuditError> {
+        (self.check)(&self.printed, truth)
+            .map_err(|error| AuditError::failure(format!("claim {}: {error}", self.id)))
     }
 }
 
@@ -94,17 +94,17 @@ pub struct Finding {
 }
 
 impl Finding {
-    pub(super) fn new(computed: impl ToString, verdict: Verdict) -> Self {
+    pub(crate) fn new(computed: impl ToString, verdict: Verdict) -> Self {
         Self { computed: computed.to_string(), verdict, notes: Vec::new() }
     }
 
-    pub(super) fn noting(mut self, note: impl ToString) -> Self {
+    pub(crate) fn noting(mut self, note: impl ToString) -> Self {
         self.notes.push(note.to_string());
         self
     }
 
     /// Lowers `Holds` to `Imprecise`: what is said is true, but not all that should be.
-    pub(super) fn imprecise(mut self) -> Self {
+    pub(crate) fn imprecise(mut self) -> Self {
         if self.verdict == Verdict::Holds {
             self.verdict = Verdict::Imprecise;
         }
@@ -121,14 +121,14 @@ pub struct Slip {
 }
 
 /// Judges a printed number; the slip counts if it gives the printed digits.
-pub fn number(printed: &str, known: &Known, slip: Option<Slip>) -> Result<Finding, CliError> {
+pub fn number(printed: &str, known: &Known, slip: Option<Slip>) -> Result<Finding, AuditError> {
     let verdict = match Agreement::of(printed, known)? {
         Agreement::Equal => Verdict::Holds,
         Agreement::Rounded => Verdict::HoldsToItsDigits,
         Agreement::CutOff => Verdict::HoldsCutOff,
         Agreement::None => {
             let reproduces =
-                |slip: &Slip| Ok::<_, CliError>(Agreement::of(printed, &slip.gives)? != Agreement::None);
+                |slip: &Slip| Ok::<_, AuditError>(Agreement::of(printed, &slip.gives)? != Agreement::None);
             let slip = match slip {
                 Some(slip) if reproduces(&slip)? => {
                     Some(format!("{} gives {}", slip.mistake, slip.gives.shown()?))
@@ -142,7 +142,7 @@ pub fn number(printed: &str, known: &Known, slip: Option<Slip>) -> Result<Findin
 }
 
 /// Judges a printed number against a ball.
-pub fn enclosed(printed: &str, ball: &Ball) -> Result<Finding, CliError> {
+pub fn enclosed(printed: &str, ball: &Ball) -> Result<Finding, AuditError> {
     number(printed, &Known::Within(ball.clone()), None)
 }
 
@@ -167,7 +167,7 @@ impl Testable for Ball {
 }
 
 /// Whether every equation is true in the scope.
-fn hold<T: Testable>(equations: &[(Formula, Formula)], scope: &Scope<T>) -> Result<bool, CliError> {
+fn hold<T: Testable>(equations: &[(Formula, Formula)], scope: &Scope<T>) -> Result<bool, AuditError> {
     let mut hold = true;
     for (left, right) in equations {
         let (left, right) = (left.value(scope)?, right.value(scope)?);
@@ -183,8 +183,8 @@ const POINTS: usize = 20;
 pub fn identity<T: Testable>(
     printed: &str,
     what: &str,
-    point: impl Fn(&mut Samples) -> Result<Scope<T>, CliError>,
-) -> Result<Finding, CliError> {
+    point: impl Fn(&mut Samples) -> Result<Scope<T>, AuditError>,
+) -> Result<Finding, AuditError> {
     let equations = printed.split(';').map(sides).collect::<Result<Vec<_>, _>>()?;
     let mut samples = Samples::new();
     let mut held = 0;
@@ -196,7 +196,7 @@ pub fn identity<T: Testable>(
 }
 
 /// Judges an equation between definite numbers: the left side is what is computed.
-pub fn equality(printed: &str, scope: &Scope<Ball>) -> Result<Finding, CliError> {
+pub fn equality(printed: &str, scope: &Scope<Ball>) -> Result<Finding, AuditError> {
     let (left, right) = sides(printed)?;
     let (left, right) = (left.value(scope)?, right.value(scope)?);
     let verdict = if (&left - right).vanishes(&left) { Verdict::Holds } else { Verdict::Wrong(None) };
@@ -204,13 +204,14 @@ pub fn equality(printed: &str, scope: &Scope<Ball>) -> Result<Finding, CliError>
 }
 
 /// Reads both sides of an equation.
-pub fn sides(equation: &str) -> Result<(Formula, Formula), CliError> {
+pub fn sides(equation: &str) -> Result<(Formula, Formula), AuditError> {
     let sides = equation.split_once('=');
-    let (left, right) = sides.ok_or_else(|| CliError::failure(format!("'{equation}' is not an equation")))?;
+    let (left, right) =
+        sides.ok_or_else(|| AuditError::failure(format!("'{equation}' is not an equation")))?;
     Ok((Formula::read(left)?, Formula::read(right)?))
 }
 
 /// Reads what is behind the sign of equality.
-pub fn right_side(equation: &str) -> Result<Formula, CliError> {
+pub fn right_side(equation: &str) -> Result<Formula, AuditError> {
     Ok(sides(equation)?.1)
 }

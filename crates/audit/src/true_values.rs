@@ -1,7 +1,7 @@
 //! What the claims are compared with, computed once.
 
-use super::formula::{Formula, Scope};
-use crate::CliError;
+use crate::AuditError;
+use crate::formula::{Formula, Scope};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use restitution_direct::{Collision, End};
@@ -20,7 +20,7 @@ const BITS: u32 = 200;
 const ORDER: usize = 9;
 
 /// Certified and exact numbers of the collision of spheres.
-pub struct Facts {
+pub struct TrueValues {
     /// `C_0 .. C_9`.
     pub c: Vec<Ball>,
     /// `a_0 .. a_9`.
@@ -75,17 +75,17 @@ pub const C: [&str; 4] = [
     "315/32 (y1/y0)^4 - 105/8 y2 y1^2/y0^3 + 35/4 y3 y1/y0^2",
 ];
 
-impl Facts {
+impl TrueValues {
     /// Computes everything.
     ///
     /// # Errors
     ///
     /// What the engines say.
-    pub fn new() -> Result<Self, CliError> {
+    pub fn new() -> Result<Self, AuditError> {
         let law = ForceLaw::viscoelastic_spheres();
         let table = |quantity, order| coefficients(quantity, &law, order, DIGITS);
         let (c, a) = (table(Quantity::Restitution, ORDER)?, table(Quantity::ScaledRestitution, ORDER)?);
-        let bounds = TailBound::find(&law, 3).map_err(CliError::failure)?;
+        let bounds = TailBound::find(&law, 3).map_err(AuditError::failure)?;
         let terms = bounds.terms_for(BITS);
         let trajectories = Trajectories::<BigRational>::derive(&law, 3, terms, &Units::natural());
         let turning = AtTurningPoint::new(&trajectories, &bounds)?;
@@ -93,7 +93,7 @@ impl Facts {
             halved: Halved::new(&turning)?,
             y: table(Quantity::Compression, 4)?,
             h: table(Quantity::DelayedRecovery, ORDER)?,
-            collision: Collision::new(&law, End::ZeroCompression).map_err(CliError::failure)?,
+            collision: Collision::new(&law, End::ZeroCompression).map_err(AuditError::failure)?,
             c,
             a,
             trajectories,
@@ -119,8 +119,8 @@ impl Facts {
     /// # Errors
     ///
     /// What the Padé algorithm says.
-    pub fn genuine(&self) -> Result<RationalFunction<Ball>, CliError> {
-        let found = approximant(&self.in_s(), PadeType::new(1, 4)).map_err(CliError::failure)?;
+    pub fn genuine(&self) -> Result<RationalFunction<Ball>, AuditError> {
+        let found = approximant(&self.in_s(), PadeType::new(1, 4)).map_err(AuditError::failure)?;
         Ok(found.function().clone())
     }
 
@@ -129,13 +129,13 @@ impl Facts {
     /// # Errors
     ///
     /// As [`table_one`].
-    pub fn table_with_right_coefficients(&self) -> Result<RationalFunction<Ball>, CliError> {
-        table_one(&three_fifths(), &self.a[3], &self.a[4]).map_err(CliError::failure)
+    pub fn table_with_right_coefficients(&self) -> Result<RationalFunction<Ball>, AuditError> {
+        table_one(&three_fifths(), &self.a[3], &self.a[4]).map_err(AuditError::failure)
     }
 }
 
 impl AtTurningPoint {
-    fn new(trajectories: &Trajectories<BigRational>, bounds: &TailBound) -> Result<Self, CliError> {
+    fn new(trajectories: &Trajectories<BigRational>, bounds: &TailBound) -> Result<Self, AuditError> {
         let time = turning_time(trajectories.law(), BITS);
         let mut out = Self { time: time.clone(), position: Vec::new(), velocity: Vec::new() };
         for n in 0..=trajectories.damping_order() {
@@ -179,10 +179,10 @@ impl AtTurningPoint {
 }
 
 impl Halved {
-    fn new(turning: &AtTurningPoint) -> Result<Self, CliError> {
+    fn new(turning: &AtTurningPoint) -> Result<Self, AuditError> {
         let half = |formula: &str, x: &Ball| {
             let right = Formula::read(formula)?.value(&turning.scope())?;
-            Ok::<_, CliError>(x + (right - x).shifted(-1))
+            Ok::<_, AuditError>(x + (right - x).shifted(-1))
         };
         let x = &turning.position;
         let (y2, y3) = (half(Y2, &x[2])?, half(Y3, &x[3])?);
@@ -193,7 +193,7 @@ impl Halved {
             c.push(Formula::read(formula)?.value(&scope)?);
         }
         let a: Vec<Ball> = (0..).zip(&c).map(|(k, value)| value / c[1].powi(k)).collect();
-        let table = table_one(&three_fifths(), &a[3], &a[4]).map_err(CliError::failure)?;
+        let table = table_one(&three_fifths(), &a[3], &a[4]).map_err(AuditError::failure)?;
         Ok(Self { y2, y3, c, a, table })
     }
 }

@@ -1,6 +1,6 @@
 //! Formulas as they are printed: read from text, evaluated exactly or in balls.
 
-use crate::CliError;
+use crate::AuditError;
 use num_rational::BigRational;
 use num_traits::Zero;
 use restitution_real::Ball;
@@ -89,20 +89,20 @@ impl<T: Field> Scope<T> {
 
 impl Formula {
     /// Reads a formula.
-    pub fn read(text: &str) -> Result<Self, CliError> {
+    pub fn read(text: &str) -> Result<Self, AuditError> {
         let mut reader = Reader { text, tokens: tokens(text)?.into_iter().peekable() };
         let formula = reader.sum()?;
         if reader.tokens.peek().is_some() { Err(unreadable(text)) } else { Ok(formula) }
     }
 
     /// Returns the value in a scope.
-    pub fn value<T: Constants>(&self, scope: &Scope<T>) -> Result<T, CliError> {
+    pub fn value<T: Constants>(&self, scope: &Scope<T>) -> Result<T, AuditError> {
         Ok(match self {
             Self::Number(number) => scope.unit.rational(number),
             Self::Name(name) => {
                 let known = scope.values.iter().find(|(known, _)| known == name).map(|(_, value)| value);
                 let value = known.cloned().or_else(|| scope.unit.constant(name));
-                value.ok_or_else(|| CliError::failure(format!("the name {name} stands for nothing")))?
+                value.ok_or_else(|| AuditError::failure(format!("the name {name} stands for nothing")))?
             }
             Self::Root(x) => power(&x.value(scope)?, &BigRational::new(1.into(), 2.into()))?,
             Self::Negative(x) => -x.value(scope)?,
@@ -111,7 +111,7 @@ impl Formula {
             Self::Quotient(x, y) => {
                 let divisor = y.value(scope)?;
                 if divisor.is_zero() {
-                    return Err(CliError::failure("a formula divides by zero"));
+                    return Err(AuditError::failure("a formula divides by zero"));
                 }
                 x.value(scope)? / divisor
             }
@@ -120,18 +120,18 @@ impl Formula {
     }
 
     /// Returns the value as the exact number that an exponent must be.
-    fn exponent(&self, names: &[(&'static str, BigRational)]) -> Result<BigRational, CliError> {
+    fn exponent(&self, names: &[(&'static str, BigRational)]) -> Result<BigRational, AuditError> {
         let values = names.to_vec();
         self.value(&Scope { unit: BigRational::zero(), values, exponents: Vec::new() })
     }
 }
 
-fn power<T: Field>(base: &T, exponent: &BigRational) -> Result<T, CliError> {
-    base.power(exponent).ok_or_else(|| CliError::failure(format!("{base:?} has no power {exponent} here")))
+fn power<T: Field>(base: &T, exponent: &BigRational) -> Result<T, AuditError> {
+    base.power(exponent).ok_or_else(|| AuditError::failure(format!("{base:?} has no power {exponent} here")))
 }
 
-fn unreadable(text: &str) -> CliError {
-    CliError::failure(format!("'{text}' is not a formula"))
+fn unreadable(text: &str) -> AuditError {
+    AuditError::failure(format!("'{text}' is not a formula"))
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -141,7 +141,7 @@ enum Token {
     Sign(char),
 }
 
-fn tokens(text: &str) -> Result<Vec<Token>, CliError> {
+fn tokens(text: &str) -> Result<Vec<Token>, AuditError> {
     let mut rest = text.trim_start();
     let mut tokens = Vec::new();
     while let Some(first) = rest.chars().next() {
@@ -156,7 +156,7 @@ fn tokens(text: &str) -> Result<Vec<Token>, CliError> {
         };
         let (token, behind) = rest.split_at(length);
         tokens.push(match first {
-            '0'..='9' => Token::Number(super::number::exact(token).ok_or_else(|| unreadable(text))?),
+            '0'..='9' => Token::Number(crate::printed_number::exact(token).ok_or_else(|| unreadable(text))?),
             'a'..='z' | 'A'..='Z' => Token::Name(token.to_owned()),
             sign => Token::Sign(sign),
         });
@@ -175,7 +175,7 @@ impl Reader<'_> {
         self.tokens.next_if_eq(&Token::Sign(sign)).is_some()
     }
 
-    fn sum(&mut self) -> Result<Formula, CliError> {
+    fn sum(&mut self) -> Result<Formula, AuditError> {
         let negative = self.took('-');
         let first = self.product()?;
         let mut sum = if negative { Formula::Negative(first.into()) } else { first };
@@ -190,7 +190,7 @@ impl Reader<'_> {
         }
     }
 
-    fn product(&mut self) -> Result<Formula, CliError> {
+    fn product(&mut self) -> Result<Formula, AuditError> {
         let mut product = self.power()?;
         loop {
             let beside =
@@ -205,12 +205,12 @@ impl Reader<'_> {
         }
     }
 
-    fn power(&mut self) -> Result<Formula, CliError> {
+    fn power(&mut self) -> Result<Formula, AuditError> {
         let base = self.primary()?;
         Ok(if self.took('^') { Formula::Power(base.into(), self.primary()?.into()) } else { base })
     }
 
-    fn primary(&mut self) -> Result<Formula, CliError> {
+    fn primary(&mut self) -> Result<Formula, AuditError> {
         match self.tokens.next() {
             Some(Token::Number(number)) => Ok(Formula::Number(number)),
             Some(Token::Name(name)) if name == "sqrt" => Ok(Formula::Root(self.primary()?.into())),
@@ -232,7 +232,7 @@ mod tests {
         BigRational::new(n.into(), d.into())
     }
 
-    fn exact(text: &str) -> Result<BigRational, CliError> {
+    fn exact(text: &str) -> Result<BigRational, AuditError> {
         let scope = Scope::new(ratio(1, 1)).with("x0''", ratio(4, 9)).with_exponent("p", &ratio(3, 2));
         Formula::read(text)?.value(&scope)
     }
