@@ -1,7 +1,9 @@
 # `make help` lists what there is.
 CARGO ?= cargo
 .DEFAULT_GOAL := help
-.PHONY: help table test test-tools tools fmt clippy doc bench bench-peers clean
+SIZE ?= minutes
+SEED ?= 1
+.PHONY: help table test attack test-tools tools fmt clippy doc bench bench-peers clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -13,6 +15,12 @@ table: tools ## build the command and print C_1..C_8 and a_1..a_8 to 20 digits
 
 test: tools test-tools fmt clippy doc ## check formats, lints, documentation; run every test
 	CI=true $(CARGO) test --workspace --locked --quiet
+
+attack: tools test-tools ## attack every promise; PARTS="f64 commands", SIZE=slice|minutes|full, SEED=1, CASES=n
+	$(CARGO) build --release --locked --quiet --package restitution-cli --package restitution-attack
+	target/release/restitution-attack $(PARTS) --size $(SIZE) --seed $(SEED) $(if $(CASES),--cases $(CASES))
+	$(CARGO) build --profile test --locked --quiet --package restitution-cli --package restitution-attack
+	target/debug/restitution-attack $(PARTS) --size slice --seed $(SEED)
 
 fmt:
 	$(CARGO) fmt --all --check

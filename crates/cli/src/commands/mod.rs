@@ -99,7 +99,7 @@ fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Cli, clap::Err
 }
 
 /// Returns the whole command line; a negative number is a value, so that its parser can say why not.
-pub(crate) fn command() -> clap::Command {
+pub fn command() -> clap::Command {
     let takes_numbers = |arg: clap::Arg| {
         let takes_value = arg.get_action().takes_values();
         if takes_value && !arg.is_allow_hyphen_values_set() { arg.allow_negative_numbers(true) } else { arg }
