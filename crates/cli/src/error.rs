@@ -3,6 +3,7 @@
 use restitution_audit::AuditError;
 use restitution_law::LawError;
 use restitution_real::RealError;
+use restitution_report::ReportError;
 use restitution_series::SeriesError;
 use std::fmt::Display;
 use std::process::ExitCode;
@@ -62,6 +63,12 @@ impl From<AuditError> for CliError {
             AuditError::UnknownClaim { .. } => Self::usage(error),
             _ => Self::failure(error),
         }
+    }
+}
+
+impl From<ReportError> for CliError {
+    fn from(error: ReportError) -> Self {
+        Self::failure(error)
     }
 }
 

@@ -13,7 +13,6 @@ pub mod list;
 pub mod memory;
 pub mod output;
 pub mod progress;
-pub mod report;
 pub mod units;
 
 pub use commands::run;

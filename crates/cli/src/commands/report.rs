@@ -1,7 +1,11 @@
 //! `restitution report`: speed against error, figures and stability, measured on this machine.
 
+mod folder;
+
 use crate::CliError;
-use crate::report::{Effort, Folder, make};
+use crate::progress::Progress;
+use folder::Folder;
+use restitution_report::{Effort, make};
 use std::path::PathBuf;
 
 /// Arguments of `restitution report`.
@@ -24,6 +28,9 @@ impl ReportArgs {
     pub fn run(&self) -> Result<(), CliError> {
         let folder = Folder::at(&self.output)?;
         let effort = if self.quick { Effort::quick() } else { Effort::full() };
-        folder.write(&make(&effort)?)
+        let progress = Progress::steps("report", effort.steps());
+        let files = make(&effort, &|| progress.advance(1))?;
+        drop(progress);
+        folder.write(&files)
     }
 }

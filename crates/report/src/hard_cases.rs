@@ -1,16 +1,16 @@
 //! Requests at the edges of what can be computed, with what they cost.
 
-use super::effort::Effort;
-use super::page::{Data, Figure};
-use super::speed::figures;
-use super::stability::digits_lost;
-use crate::exact::{Exact, NumberError};
-use crate::{Cell, Table};
+use crate::digits_lost::digits_lost;
+use crate::effort::Effort;
+use crate::page::{Data, Figure};
+use crate::speed::figures;
 use num_rational::BigRational;
 use restitution_direct::{Collision, End};
 use restitution_law::ForceLaw;
+use restitution_law::exact::{Exact, NumberError};
 use restitution_real::Ball;
 use restitution_series::{Quantity, coefficients};
+use restitution_table::{Cell, Table};
 use std::time::Instant;
 
 /// A request and how it is answered.

@@ -2,11 +2,11 @@
 //!
 //! To add one: a line in [`all`], or in one of the functions it calls.
 
-use super::formulas::{self, SLOPE, polynomial, quotient};
-use super::kernel::{Kernel, WithSlices};
-use super::ode::{self, Method};
-use crate::CliError;
-use crate::report::chart::Shape;
+use crate::ReportError;
+use crate::chart::Shape;
+use crate::formulas::{self, SLOPE, polynomial, quotient};
+use crate::kernel::{Kernel, WithSlices};
+use crate::ode::{self, Method};
 use num_traits::Zero;
 use restitution::tiers::Tier;
 use restitution_direct::{End, saturation_speed};
@@ -105,7 +105,7 @@ impl Contestant {
 /// # Errors
 ///
 /// What the coefficients and approximants say.
-pub fn all(order: usize) -> Result<Vec<Contestant>, CliError> {
+pub fn all(order: usize) -> Result<Vec<Contestant>, ReportError> {
     let exact = Exact::new(order)?;
     let series = [exact.series::<5>(), exact.series::<9>(), exact.series::<17>(), exact.series::<33>()];
     let mut list = series.into_iter().flatten().collect::<Vec<_>>();
@@ -122,7 +122,7 @@ pub fn all(order: usize) -> Result<Vec<Contestant>, CliError> {
 }
 
 /// Formula (35), and what it would be with the right coefficients.
-fn formula_35(exact: &Exact) -> Result<[Contestant; 3], CliError> {
+fn formula_35(exact: &Exact) -> Result<[Contestant; 3], ReportError> {
     let mut four = exact.series[..5].to_vec();
     four.push(Ball::zero());
     let without = quotient_of::<2, 5>(&approximant(&four, PadeType::new(1, 4))?)?;
@@ -245,11 +245,11 @@ struct Exact {
 }
 
 impl Exact {
-    fn new(order: usize) -> Result<Self, CliError> {
+    fn new(order: usize) -> Result<Self, ReportError> {
         let spheres = ForceLaw::viscoelastic_spheres();
         let series = coefficients(Quantity::Restitution, &spheres, order, DIGITS)?;
         let half_powers = coefficients(Quantity::DelayedRecovery, &spheres, order, DIGITS)?;
-        let limit = saturation_speed(&spheres, DIGITS).map_err(CliError::failure)?;
+        let limit = saturation_speed(&spheres, DIGITS).map_err(ReportError::failure)?;
         Ok(Self { series, half_powers, limit })
     }
 
@@ -262,7 +262,7 @@ impl Exact {
     }
 
     /// The approximant with `P` coefficients above and `Q` below.
-    fn pade<const P: usize, const Q: usize>(&self) -> Result<Option<Contestant>, CliError> {
+    fn pade<const P: usize, const Q: usize>(&self) -> Result<Option<Contestant>, ReportError> {
         let asked = PadeType::new(P - 1, Q - 1);
         if self.series.len() < asked.conditions() {
             return Ok(None);
@@ -272,7 +272,7 @@ impl Exact {
     }
 
     /// The same in `u^(1/2)` for contacts that end at zero force.
-    fn pade_in_root<const P: usize, const Q: usize>(&self) -> Result<Option<Contestant>, CliError> {
+    fn pade_in_root<const P: usize, const Q: usize>(&self) -> Result<Option<Contestant>, ReportError> {
         let asked = PadeType::new(P - 1, Q - 1);
         if self.half_powers.len() < asked.conditions() {
             return Ok(None);
@@ -286,7 +286,7 @@ impl Exact {
     fn two_point<const P: usize, const Q: usize>(
         &self,
         conditions: usize,
-    ) -> Result<Option<Contestant>, CliError> {
+    ) -> Result<Option<Contestant>, ReportError> {
         let asked = PadeType::new(P - 1, Q - 1);
         if self.series.len() + conditions < asked.conditions() {
             return Ok(None);
@@ -302,10 +302,10 @@ impl Exact {
 /// Rounds an approximant to f64, as code that carries its constants does.
 fn quotient_of<const P: usize, const Q: usize>(
     entry: &Approximant<Ball>,
-) -> Result<impl Fn(f64) -> f64 + Sync + 'static, CliError> {
+) -> Result<impl Fn(f64) -> f64 + Sync + 'static, ReportError> {
     let (num, den) = (rounded::<P>(entry.num()), rounded::<Q>(entry.den()));
     let (Some(num), Some(den)) = (num, den) else {
-        return Err(CliError::failure(format!("the approximant {} is degenerate", entry.asked())));
+        return Err(ReportError::failure(format!("the approximant {} is degenerate", entry.asked())));
     };
     Ok(move |u| quotient(&num, &den, u))
 }

@@ -1,7 +1,7 @@
 //! Certified values on a grid, by which every method is judged.
 
-use crate::CliError;
-use crate::progress::Progress;
+use crate::ReportError;
+use crate::Watch;
 use num_rational::BigRational;
 use num_traits::One;
 use rayon::prelude::*;
@@ -24,18 +24,18 @@ impl Reference {
     /// # Errors
     ///
     /// What the integrator says.
-    pub fn new(u: Vec<f64>, progress: &Progress) -> Result<Self, CliError> {
+    pub fn new(u: Vec<f64>, watch: &Watch) -> Result<Self, ReportError> {
         let values = |end| {
             let spheres =
-                Collision::new(&ForceLaw::viscoelastic_spheres(), end).map_err(CliError::failure)?;
+                Collision::new(&ForceLaw::viscoelastic_spheres(), end).map_err(ReportError::failure)?;
             let at = |u: &f64| {
                 let exact =
-                    BigRational::from_float(*u).ok_or_else(|| CliError::failure("u is not finite"))?;
-                let value = spheres.epsilon(&exact, DIGITS).map_err(CliError::failure)?;
-                progress.advance(1);
+                    BigRational::from_float(*u).ok_or_else(|| ReportError::failure("u is not finite"))?;
+                let value = spheres.epsilon(&exact, DIGITS).map_err(ReportError::failure)?;
+                watch();
                 Ok(value)
             };
-            u.par_iter().map(at).collect::<Result<Vec<_>, CliError>>()
+            u.par_iter().map(at).collect::<Result<Vec<_>, ReportError>>()
         };
         Ok(Self { values: [values(End::ZeroCompression)?, values(End::ZeroForce)?], u })
     }
@@ -64,7 +64,7 @@ mod tests {
 
     #[test]
     fn errors_are_relative_to_the_certified_value() {
-        let reference = Reference::new(vec![1.0], &Progress::unknown("")).unwrap();
+        let reference = Reference::new(vec![1.0], &|| ()).unwrap();
         let [good, bad] =
             [0.331_164_810_466_640_9, 0.331_2].map(|v| reference.errors(&[v], End::ZeroCompression)[0]);
         assert!(good < 2e-16 && (bad - 1.0626e-4).abs() < 1e-8, "{good:e} {bad:e}");

@@ -1,14 +1,14 @@
 //! Speed against error of every contestant.
 
-use super::chart::{Axis, Chart, Point, Series, Shape, Stroke};
-use super::contestants::{Contestant, Family};
-use super::effort::Effort;
-use super::page::{Data, Figure, Section};
-use super::reference::Reference;
-use super::timing::{Task, Timing, in_turn};
-use crate::progress::Progress;
-use crate::{Cell, Table};
+use crate::Watch;
+use crate::chart::{Axis, Chart, Point, Series, Shape, Stroke};
+use crate::contestants::{Contestant, Family};
+use crate::effort::Effort;
+use crate::page::{Data, Figure, Section};
+use crate::reference::Reference;
+use crate::timing::{Task, Timing, in_turn};
 use restitution_direct::End;
+use restitution_table::{Cell, Table};
 
 /// The upper ends of the ranges of `u`, which start at 0.
 pub const RANGES: [f64; 3] = [1.0, 2.0, 7.5];
@@ -34,17 +34,17 @@ pub fn measure(
     reference: &Reference,
     errors: &[Vec<f64>],
     effort: &Effort,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Vec<Result> {
     let mut results = Vec::new();
     for range in RANGES {
-        let apart = times(contestants, range, effort, progress, |contestant, u| {
+        let apart = times(contestants, range, effort, watch, |contestant, u| {
             let mut out = vec![0.0; u.len()];
             Box::new(move || {
                 contestant.kernel.values(std::hint::black_box(&u), std::hint::black_box(&mut out))
             })
         });
-        let chained = times(contestants, range, effort, progress, |contestant, u| {
+        let chained = times(contestants, range, effort, watch, |contestant, u| {
             Box::new(move || {
                 std::hint::black_box(contestant.kernel.chain(std::hint::black_box(&u)));
             })
@@ -73,7 +73,7 @@ fn times<'a>(
     contestants: &'a [Contestant],
     range: f64,
     effort: &Effort,
-    progress: &Progress,
+    watch: &Watch,
     work: impl Fn(&'a Contestant, Vec<f64>) -> Box<dyn FnMut() + 'a>,
 ) -> Vec<Timing> {
     let task = |contestant: &'a Contestant| {
@@ -82,7 +82,7 @@ fn times<'a>(
         Task { values, work: work(contestant, scattered(range, values)) }
     };
     let mut tasks = contestants.iter().map(task).collect::<Vec<_>>();
-    in_turn(&mut tasks, effort.rounds, effort.sample, || progress.advance(1))
+    in_turn(&mut tasks, effort.rounds, effort.sample, watch)
 }
 
 /// Numbers in `(0, high)` that fill it evenly in no order a processor could foresee (Weyl's sequence).

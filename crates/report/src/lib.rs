@@ -1,14 +1,15 @@
 //! The report: speed against error, errors, growth, the paper's figure and numerical stability, measured here.
 //!
 //! `contestants` lists what is compared; `reference` has the certified values that judge; a module for
-//! each part of the page measures and draws it; `page` puts them together and `folder` writes them.
+//! each part of the page measures and draws it; `page` puts them together.
 
 mod chart;
 mod contestants;
+mod digits_lost;
 mod effort;
+mod error;
 mod errors;
 mod f64_pade;
-mod folder;
 mod formulas;
 mod growth;
 mod hard_cases;
@@ -22,28 +23,29 @@ mod speed;
 mod stability;
 mod timing;
 
-use crate::CliError;
-use crate::progress::Progress;
 pub use effort::Effort;
-pub use folder::Folder;
+pub use error::ReportError;
+pub use page::GENERATOR;
+
+/// Called once for each step that is done, from any thread; [`Effort::steps`] says how many there are.
+pub type Watch<'a> = dyn Fn() + Sync + 'a;
 
 /// Measures everything and returns the files of the report, each with its name.
 ///
 /// # Errors
 ///
 /// What the libraries say; nothing in a report depends on input.
-pub fn make(effort: &Effort) -> Result<Vec<(String, String)>, CliError> {
-    let progress = Progress::steps("report", effort.steps());
+pub fn make(effort: &Effort, watch: &Watch) -> Result<Vec<(String, String)>, ReportError> {
     let contestants = contestants::all(effort.order)?;
-    let reference = reference::Reference::new(effort.grid(), &progress)?;
+    let reference = reference::Reference::new(effort.grid(), &watch)?;
     let errors = speed::errors(&contestants, &reference);
-    let results = speed::measure(&contestants, &reference, &errors, effort, &progress);
+    let results = speed::measure(&contestants, &reference, &errors, effort, &watch);
     let machine = machine::Machine::this();
     let sections = [
         speed::section(&contestants, &results, reference.u.len()),
         errors::section(&contestants, &reference, &errors)?,
         ice::section()?,
-        growth::section(effort, &progress)?,
+        growth::section(effort, &watch)?,
         stability::section(effort)?,
         page::Section::new(
             "Machine",

@@ -1,14 +1,15 @@
 //! Error against damping, and the two ends of contact compared.
 
-use super::chart::{Axis, Chart, Series, Stroke};
-use super::contestants::{Contestant, Family};
-use super::formulas::SLOPE;
-use super::page::{Data, Figure, Section};
-use super::reference::Reference;
-use super::speed::{end_name, error_cell};
-use crate::{Cell, CliError, Table};
+use crate::ReportError;
+use crate::chart::{Axis, Chart, Series, Stroke};
+use crate::contestants::{Contestant, Family};
+use crate::formulas::SLOPE;
+use crate::page::{Data, Figure, Section};
+use crate::reference::Reference;
+use crate::speed::{end_name, error_cell};
 use restitution_direct::{End, saturation_radius};
 use restitution_law::ForceLaw;
+use restitution_table::{Cell, Table};
 
 /// Where the page's extracts of long tables show a row: the nearest points of the grid.
 const EXTRACT: [f64; 7] = [0.1, 0.5, 1.0, 1.5, 2.0, 5.0, 7.5];
@@ -18,8 +19,8 @@ pub fn section(
     contestants: &[Contestant],
     reference: &Reference,
     errors: &[Vec<f64>],
-) -> Result<Section, CliError> {
-    let radius = saturation_radius(&ForceLaw::viscoelastic_spheres(), 20).map_err(CliError::failure)?;
+) -> Result<Section, ReportError> {
+    let radius = saturation_radius(&ForceLaw::viscoelastic_spheres(), 20).map_err(ReportError::failure)?;
     let digits = |count| radius.to_digits(count).unwrap_or_default();
     let velocity = (SLOPE * radius.to_f64()).powi(5);
     let rule = (radius.to_f64(), format!("R = {}", digits(7)));

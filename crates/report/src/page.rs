@@ -1,10 +1,8 @@
 //! The page: sections with figures, captions and the data behind them.
 
-use super::chart::{self, Chart, escape};
-use super::machine::Machine;
-use crate::Cell;
-use crate::Table;
-use crate::output::Format;
+use crate::chart::{self, Chart, escape};
+use crate::machine::Machine;
+use restitution_table::{Cell, Format, Table};
 use std::fmt::Write as _;
 
 const STYLE: &str = include_str!("page.css");

@@ -1,11 +1,12 @@
 //! Figure 1 of the paper: ice.
 
-use super::chart::{Axis, Chart, Series, Stroke};
-use super::formulas::printed_35;
-use super::page::{Data, Figure, Section};
-use super::speed::figures;
-use crate::{CliError, Table};
+use crate::ReportError;
+use crate::chart::{Axis, Chart, Series, Stroke};
+use crate::formulas::printed_35;
+use crate::page::{Data, Figure, Section};
+use crate::speed::figures;
 use restitution::{End, Fit, Loss, Measurement, Restitution, fit};
+use restitution_table::Table;
 
 /// The paper's characteristic velocity of ice, in cm/s (\[RPBS1999\], Fig. 1).
 const PRINTED_G_STAR: f64 = 0.32;
@@ -27,7 +28,7 @@ fn bridges(g: f64) -> f64 {
 /// # Errors
 ///
 /// What the fit says.
-pub fn section() -> Result<Section, CliError> {
+pub fn section() -> Result<Section, ReportError> {
     let fitted = refit()?;
     let g_star = fitted.characteristic_velocity;
     let (low, high) = fitted.interval();
@@ -56,8 +57,8 @@ pub fn section() -> Result<Section, CliError> {
         chart.series.push(Series::line(name, *colour, grid.iter().map(|g| (*g, f(*g)))).stroked(*stroke));
     }
     for g in ratio_grid(SHOWN, 41) {
-        let values = curves.iter().map(|curve| crate::Cell::digits(figures((curve.3)(g), 5)));
-        table.push(std::iter::once(crate::Cell::digits(figures(g, 4))).chain(values).collect());
+        let values = curves.iter().map(|curve| restitution_table::Cell::digits(figures((curve.3)(g), 5)));
+        table.push(std::iter::once(restitution_table::Cell::digits(figures(g, 4))).chain(values).collect());
     }
     let run = if fitted.is_systematic() {
         " The residuals run together: the law is not the curve of a viscoelastic collision, and its error understates how uncertain g* is."
@@ -87,10 +88,10 @@ fn exact(g_star: f64) -> Curve {
     Box::new(move |g| ice.epsilon(g))
 }
 
-fn refit() -> Result<Fit, CliError> {
+fn refit() -> Result<Fit, ReportError> {
     let rows = ratio_grid(FITTED, FITTED_ROWS).into_iter().map(|g| Measurement::new(g, bridges(g)));
-    let rows = rows.collect::<Result<Vec<_>, _>>().map_err(CliError::failure)?;
-    fit(&rows, End::ZeroCompression, Loss::Squares).map_err(CliError::failure)
+    let rows = rows.collect::<Result<Vec<_>, _>>().map_err(ReportError::failure)?;
+    fit(&rows, End::ZeroCompression, Loss::Squares).map_err(ReportError::failure)
 }
 
 fn ratio_grid((low, high): (f64, f64), count: usize) -> Vec<f64> {

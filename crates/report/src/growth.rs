@@ -1,14 +1,15 @@
 //! The time that coefficients take, against their order and their digits.
 
-use super::chart::{Axis, Chart, Point, Series, Shape, Stroke};
-use super::effort::Effort;
-use super::page::{Data, Figure, Section};
-use super::speed::figures;
-use super::timing::{Task, Timing, in_turn};
-use crate::progress::Progress;
-use crate::{Cell, CliError, Table};
+use crate::ReportError;
+use crate::Watch;
+use crate::chart::{Axis, Chart, Point, Series, Shape, Stroke};
+use crate::effort::Effort;
+use crate::page::{Data, Figure, Section};
+use crate::speed::figures;
+use crate::timing::{Task, Timing, in_turn};
 use restitution_law::ForceLaw;
 use restitution_series::{Quantity, coefficients};
+use restitution_table::{Cell, Table};
 use std::time::{Duration, Instant};
 
 /// Digits while the order grows, and the order while the digits grow.
@@ -37,9 +38,9 @@ struct Power {
 /// # Errors
 ///
 /// What the coefficients say.
-pub fn section(effort: &Effort, progress: &Progress) -> Result<Section, CliError> {
-    let by_order = grow(4, effort, progress, |order| (order, DIGITS))?;
-    let by_digits = grow(10, effort, progress, |digits| (ORDER, digits))?;
+pub fn section(effort: &Effort, watch: &Watch) -> Result<Section, ReportError> {
+    let by_order = grow(4, effort, watch, |order| (order, DIGITS))?;
+    let by_digits = grow(10, effort, watch, |digits| (ORDER, digits))?;
     let mut table = Table::new(&["order", "digits", "seconds", "quartile_1", "quartile_3"]);
     for (growth, is_order) in [(&by_order, true), (&by_digits, false)] {
         for (size, time) in growth.sizes.iter().zip(&growth.times) {
@@ -73,9 +74,9 @@ pub fn section(effort: &Effort, progress: &Progress) -> Result<Section, CliError
 fn grow(
     first: usize,
     effort: &Effort,
-    progress: &Progress,
+    watch: &Watch,
     request: impl Fn(usize) -> (usize, usize),
-) -> Result<Growth, CliError> {
+) -> Result<Growth, ReportError> {
     let spheres = ForceLaw::viscoelastic_spheres();
     let expand = |size: usize| {
         let (order, digits) = request(size);
@@ -98,7 +99,7 @@ fn grow(
         Task { values: 1, work: Box::new(move || drop(std::hint::black_box(expand(size)))) }
     };
     let mut tasks = sizes.iter().map(task).collect::<Vec<_>>();
-    let times = in_turn(&mut tasks, effort.expansions, Duration::from_millis(1), || progress.advance(1));
+    let times = in_turn(&mut tasks, effort.expansions, Duration::from_millis(1), watch);
     let power = Power::fit(&sizes, &times);
     drop(tasks);
     Ok(Growth { sizes, times, power })

@@ -1,15 +1,17 @@
 //! Numerical stability: digits that computations lose.
 
-use super::chart::{Axis, Chart, Series, Shape, Stroke};
-use super::effort::Effort;
-use super::page::{Data, Figure, Section};
-use super::speed::{error_cell, figures};
-use super::{f64_pade, hard_cases};
-use crate::{Cell, CliError, Table};
+use crate::ReportError;
+use crate::chart::{Axis, Chart, Series, Shape, Stroke};
+use crate::digits_lost::digits_lost;
+use crate::effort::Effort;
+use crate::page::{Data, Figure, Section};
+use crate::speed::{error_cell, figures};
+use crate::{f64_pade, hard_cases};
 use restitution_law::ForceLaw;
 use restitution_pade::{PadeError, PadeType, approximant};
 use restitution_real::Ball;
 use restitution_series::{Quantity, coefficients};
+use restitution_table::{Cell, Table};
 
 /// The laws whose coefficients are followed.
 const LAWS: [(&str, &str); 3] = [
@@ -26,7 +28,7 @@ const LARGEST_PADE: usize = 12;
 /// # Errors
 ///
 /// What the coefficients and approximants say.
-pub fn section(effort: &Effort) -> Result<Section, CliError> {
+pub fn section(effort: &Effort) -> Result<Section, ReportError> {
     let text = "A digit is lost when a result is known to one digit less than the numbers that went into it. Certified numbers carry a radius, so their loss is read off; for f64 it is the distance to the certified result.";
     Ok(Section::new(
         "Numerical stability",
@@ -35,13 +37,7 @@ pub fn section(effort: &Effort) -> Result<Section, CliError> {
     ))
 }
 
-/// Decimal digits between the working precision and what a ball knows.
-pub fn digits_lost(ball: &Ball) -> f64 {
-    let known = ball.relative_bits().unwrap_or(i64::from(ball.prec()));
-    (i64::from(ball.prec()) - known) as f64 * std::f64::consts::LOG10_2
-}
-
-fn by_order(effort: &Effort) -> Result<Figure, CliError> {
+fn by_order(effort: &Effort) -> Result<Figure, ReportError> {
     let mut table = Table::new(&["law_a_gamma", "k", "working_bits", "digits_lost"]);
     let mut lines = Vec::new();
     for (i, (law, name)) in LAWS.into_iter().enumerate() {
@@ -79,7 +75,7 @@ fn by_order(effort: &Effort) -> Result<Figure, CliError> {
     Ok(Figure::new(chart, &caption).with(Data::new("digits-lost.csv", table)))
 }
 
-fn pade(effort: &Effort) -> Result<Figure, CliError> {
+fn pade(effort: &Effort) -> Result<Figure, ReportError> {
     let largest = LARGEST_PADE.min(effort.order / 2);
     let series = coefficients(Quantity::Restitution, &ForceLaw::viscoelastic_spheres(), 2 * largest, 120)?;
     let balls = series.iter().map(|c| Ball::exact(c.mid().clone()).with_prec(BITS)).collect::<Vec<_>>();

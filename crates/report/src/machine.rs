@@ -1,6 +1,6 @@
 //! The machine on which a report is made.
 
-use crate::{Cell, Table};
+use restitution_table::{Cell, Table};
 
 /// What decides how fast something runs.
 #[derive(Clone, Debug)]

@@ -1,4 +1,4 @@
-//! Tells the command which compiler built it, for the reports it writes.
+//! Tells the report which compiler built it.
 
 use std::env;
 use std::process::Command;

@@ -1,8 +1,8 @@
 //! A folder that is written whole or not at all.
 
-use super::page::GENERATOR;
 use crate::CliError;
 use crate::interrupt::Pending;
+use restitution_report::GENERATOR;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
