@@ -188,3 +188,69 @@ fn a_collision_run_backwards_undoes_itself() {
     let gained = c.iter().rev().fold(Ball::from_integer(0, 160), |sum, c| sum * &back + c);
     assert_eq!((epsilon * gained).to_digits(34), Ball::from_integer(1, 160).to_digits(34));
 }
+
+#[test]
+fn the_zero_of_the_force_may_lie_close_to_zero_compression() {
+    for (law, u, digits) in [
+        ("3/4,3/5", "927/100000", "0.9930369983776973952171206808006"),
+        ("3/4,7/10", "5511/20000", "0.8382645459062922465254040777216"),
+        ("3/4,3/5", "667/20000", "0.975356332809872665330012928558"),
+    ] {
+        // Digits of a Taylor integrator in another program.
+        let u: BigRational = u.parse().unwrap();
+        let collision = collision(law, End::ZeroForce);
+        for count in [20, 25, 30, 40, 60] {
+            let epsilon = collision.epsilon(&u, count).unwrap().to_digits(count).unwrap();
+            let same = digits.len().min(epsilon.len()) - 2;
+            assert_eq!(epsilon[..same], digits[..same], "{law} u = {u} {count}");
+        }
+    }
+}
+
+#[test]
+fn a_dashpot_of_any_damping_ends_at_zero_force_as_known() {
+    // With X = x^((a+1)/2) every law with gamma = (a-1)/2 is X'' + 2 b X' + X = 0, and the force vanishes
+    // where X = -2 b X'. Beyond critical damping, w = sqrt(b^2 - 1):
+    // epsilon = exp(-(b/w) ln((b+w)/(b-w))), e^-2 at b = 1.
+    for (law, critical) in [("1,0", ratio(2, 1)), ("7,3", ratio(4, 1)), ("7/18,-11/36", ratio(5, 3))] {
+        let collision = collision(law, End::ZeroForce);
+        for b in [ratio(1_000_001, 1_000_000), ratio(8, 5), ratio(50, 1)] {
+            let epsilon = collision.epsilon(&(&b * &critical), 30).unwrap();
+            let w = Ball::from_rational(&(&b * &b - ratio(1, 1)), 200).sqrt();
+            let b = Ball::from_rational(&b, 200);
+            let expected = (-(&b / &w * ((&b + &w) / (&b - &w)).ln())).exp();
+            assert_eq!(epsilon.to_digits(30), expected.to_digits(30), "{law} b = {b:?}");
+        }
+        let at_critical = collision.epsilon(&critical, 30).unwrap();
+        assert_eq!(at_critical.to_digits(30), Ball::from_integer(-2, 200).exp().to_digits(30), "{law}");
+    }
+}
+
+#[test]
+fn critical_damping_is_decided_exactly() {
+    let tiny = BigRational::new(1.into(), num_bigint::BigInt::from(10).pow(30));
+    for (law, critical) in [("1,0", ratio(2, 1)), ("7/18,-11/36", ratio(5, 3))] {
+        let collision = collision(law, End::ZeroCompression);
+        for u in [critical.clone(), &critical + &tiny, ratio(100, 1)] {
+            assert!(matches!(collision.epsilon(&u, 20), Err(DirectError::Overdamped { .. })), "{law} {u}");
+        }
+        // zeta = 1 - delta: epsilon = exp(-pi zeta/sqrt(1 - zeta^2)), about exp(-pi/sqrt(2 delta)).
+        let below = &critical - &tiny;
+        assert!(matches!(collision.epsilon(&below, 20), Err(DirectError::Vanishing { .. })), "{law}");
+        let near = &critical * ratio(999_999_999, 1_000_000_000);
+        assert_eq!(collision.epsilon(&near, 9).unwrap().to_digits(9).unwrap(), "4.14268627e-30509", "{law}");
+        let lost = collision.one_minus_epsilon(&(critical - &tiny), 20).unwrap();
+        assert_eq!(lost.to_digits(20).as_deref(), Some("1.0000000000000000000"));
+    }
+}
+
+#[test]
+fn the_integration_meets_the_closed_form_up_to_critical_damping() {
+    // `epsilon` takes the closed form where zeta^2 > 15/16; `enclose` always integrates.
+    let dashpot = collision("1,0", End::ZeroCompression);
+    for u in [ratio(31, 16), ratio(63, 32), ratio(199, 100)] {
+        let integrated = dashpot.enclose(&Ball::from_rational(&u, 300), 300).unwrap();
+        assert!(integrated.overlaps(&dashpot.epsilon(&u, 60).unwrap()), "{u}");
+        assert!(integrated.relative_bits().unwrap() > 200, "{u}: {integrated:?}");
+    }
+}

@@ -1,14 +1,13 @@
 use crate::compression::compress;
+use crate::dashpot::Dashpot;
 use crate::end::End;
 use crate::error::DirectError;
-use crate::exit::to_zero_compression;
-use crate::field::Field;
-use crate::overdamping::traps;
+use crate::exit::{to_zero_compression, to_zero_force};
+use crate::field::{Field, shown};
 use crate::precision::{first_precision, proved};
 use crate::saturation::Saturation;
 use crate::stepper::Stepper;
 use crate::turning::rebound;
-use crate::zero_force::zero_of_force;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use restitution_law::ForceLaw;
@@ -80,6 +79,9 @@ impl Collision {
     /// [`DirectError::Damping`] if `u < 0`, [`DirectError::Overdamped`] if the bodies do not separate,
     /// [`DirectError::StepVanished`] or [`DirectError::Real`] if the digits cannot be proved.
     pub fn epsilon(&self, u: &BigRational, digits: usize) -> Result<Ball, DirectError> {
+        if let Some(dashpot) = self.slow_dashpot(u) {
+            return proved(digits, first_precision(digits), |prec| dashpot.epsilon(prec));
+        }
         self.epsilon_of(|prec| Ball::from_rational(u, prec), digits)
     }
 
@@ -112,6 +114,9 @@ impl Collision {
     /// # Ok::<(), restitution_direct::DirectError>(())
     /// ```
     pub fn one_minus_epsilon(&self, u: &BigRational, digits: usize) -> Result<Ball, DirectError> {
+        if let Some(dashpot) = self.slow_dashpot(u) {
+            return proved(digits, first_precision(digits), |prec| dashpot.one_minus_epsilon(prec));
+        }
         self.one_minus_epsilon_of(|prec| Ball::from_rational(u, prec), digits)
     }
 
@@ -149,19 +154,22 @@ impl Collision {
         self.integrate(u, prec)
     }
 
+    /// The collision as that of a dashpot near or beyond critical damping, if it is one.
+    fn slow_dashpot(&self, u: &BigRational) -> Option<Dashpot> {
+        let zero_compression = self.end == End::ZeroCompression;
+        zero_compression.then(|| Dashpot::of(&self.law, u)).flatten().filter(Dashpot::is_nearly_critical)
+    }
+
     /// Follows the whole motion.
     fn integrate(&self, u: &Ball, prec: u32) -> Result<Ball, DirectError> {
         let field = Field::new(&self.law, u, prec);
         let mut stepper = Stepper::new(field.wanted_slope());
         let compressed = compress(&field, &mut stepper)?;
         let rebounding = rebound(&field, &mut stepper, &compressed)?;
-        to_zero_compression(&field, &mut stepper, rebounding, |arc| {
-            let end = if self.end == End::ZeroForce { zero_of_force(&field, arc) } else { None };
-            if end.is_none() && traps(&field, &arc.reached) {
-                return Err(DirectError::Overdamped { law: Box::new(self.law.clone()), u: shown(u) });
-            }
-            Ok(end)
-        })
+        match self.end {
+            End::ZeroCompression => to_zero_compression(&field, &mut stepper, rebounding),
+            End::ZeroForce => to_zero_force(&field, &mut stepper, rebounding),
+        }
     }
 
     /// The value at a velocity so high that the exit speed has saturated.
@@ -182,11 +190,6 @@ impl Collision {
 
 /// Bits below which a step can hardly be proved.
 const LEAST_PRECISION: u32 = 64;
-
-/// A damping to a few digits, for messages.
-fn shown(u: &Ball) -> String {
-    u.mid().to_string_radix(10, Some(6))
-}
 
 #[cfg(test)]
 mod tests {

@@ -30,6 +30,16 @@ pub enum DirectError {
         /// The damping that was given, to a few digits.
         u: String,
     },
+    /// The coefficient is positive and smaller than any number that can be held.
+    #[error(
+        "with u = {u} and the law {law} the restitution coefficient is positive and below 10^-300000000, too small to be given: give a smaller u"
+    )]
+    Vanishing {
+        /// The force law.
+        law: Box<ForceLaw>,
+        /// The damping that was given, to a few digits.
+        u: String,
+    },
     /// The force has no zero on the way out that this end of the contact could mean.
     #[error(
         "with the law {law} the force need not vanish on the way out: the end at zero force needs A > GAMMA"

@@ -1,40 +1,91 @@
-//! The way out to zero compression, in the coordinate `z`.
+//! The way out, in the coordinate `z`: to zero compression or to the zero of the force.
 
-use crate::compression::{first_order_defect, near_zero};
+use crate::compression::{first_order_defect, near_zero, ratio};
 use crate::error::DirectError;
 use crate::field::Field;
 use crate::fixed::upper_bound;
+use crate::overdamping::traps;
 use crate::phase_arc::{PhaseArc, PhasePoint, velocity_near};
 use crate::stepper::Stepper;
+use crate::zero_force::{ForceZero, locate, none_left};
 use num_traits::One;
 use restitution_real::Ball;
 use rug::Float;
 
-/// Follows the way out to zero compression; `seen` gets every arc and may end the motion early.
+/// Follows the way out to zero compression.
+///
+/// # Errors
+///
+/// [`DirectError::Overdamped`] if the motion is proved to come to rest before.
 pub(crate) fn to_zero_compression(
     field: &Field,
     stepper: &mut Stepper,
     start: PhasePoint,
-    mut seen: impl FnMut(&PhaseArc) -> Result<Option<Ball>, DirectError>,
 ) -> Result<Ball, DirectError> {
     let last = if field.coordinate.crosses_zero() { Float::new(field.prec) } else { near_zero(field) };
     let mut point = start;
     while point.z > last {
-        let z = point.z.to_f64();
-        let limit = if field.coordinate.crosses_zero() { z } else { z / 2.0 };
-        let arc = stepper.step(limit, |length| {
-            let mut end = Float::with_val(field.prec, &point.z - length);
-            if end < last || length >= z {
-                end.clone_from(&last);
-            }
-            PhaseArc::follow(field, &point, &end).map(|arc| (arc.clone(), arc.slope))
-        })?;
-        if let Some(result) = seen(&arc)? {
-            return Ok(result);
+        point = arc_outward(field, stepper, &point, &last)?.reached;
+        if traps(field, &point) {
+            return Err(field.overdamped());
         }
-        point = arc.reached;
     }
     Ok(if last.is_zero() { point.velocity().abs() } else { across_branch(field, &point) })
+}
+
+/// Follows the way out to the zero of the force and returns the speed there.
+///
+/// The motion ends in one of two proofs: the force changes its sign on an arc, or it is still
+/// positive where the elastic energy that is left no longer counts. Until one of them succeeds it
+/// goes on; there always is a zero where `a > gamma` (docs/direct-integration.md, section 6).
+pub(crate) fn to_zero_force(
+    field: &Field,
+    stepper: &mut Stepper,
+    start: PhasePoint,
+) -> Result<Ball, DirectError> {
+    let settled = settled(field);
+    let mut point = start;
+    loop {
+        if let Some(speed) = none_left(field, &point, &settled) {
+            return Ok(speed);
+        }
+        let last = if point.z > settled { settled.clone() } else { Float::new(field.prec) };
+        let arc = arc_outward(field, stepper, &point, &last)?;
+        match locate(field, &arc) {
+            ForceZero::Passed(speed) => return Ok(speed),
+            ForceZero::NotPassed | ForceZero::Undecided => point = arc.reached,
+        }
+    }
+}
+
+/// A coordinate from which on the elastic energy, `2 q z^A/A` of `v^2`, is below the working precision.
+fn settled(field: &Field) -> Float {
+    let bits = f64::from(field.prec + 2) / ratio(&field.coordinate.elastic);
+    Float::with_val(field.prec, (-bits).exp2().max(SMALLEST))
+}
+
+/// The least coordinate that the lengths of steps, doubles, can still reach.
+const SMALLEST: f64 = 1e-290;
+
+/// One arc towards `z = 0`, not beyond `last`.
+fn arc_outward(
+    field: &Field,
+    stepper: &mut Stepper,
+    point: &PhasePoint,
+    last: &Float,
+) -> Result<PhaseArc, DirectError> {
+    let z = point.z.to_f64();
+    let limit = if field.coordinate.crosses_zero() { z } else { z / 2.0 };
+    stepper.step(limit, |length| {
+        let mut end = Float::with_val(field.prec, &point.z - length);
+        if end < *last || length >= z {
+            end.clone_from(last);
+        }
+        PhaseArc::follow(field, point, &end).map(|arc| {
+            let slope = arc.slope;
+            (arc, slope)
+        })
+    })
 }
 
 /// From a coordinate near zero to zero itself, by the first-order solution (Prop. 4).

@@ -1,4 +1,5 @@
 use crate::coordinate::Coordinate;
+use crate::error::DirectError;
 use num_rational::BigRational;
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
@@ -34,6 +35,11 @@ impl Field {
         Ball::from_rational(value, self.prec)
     }
 
+    /// The error that the bodies do not separate.
+    pub(crate) fn overdamped(&self) -> DirectError {
+        DirectError::Overdamped { law: Box::new(self.law.clone()), u: shown(&self.u) }
+    }
+
     /// The potential energy `y = z^A/(a + 1)`.
     pub(crate) fn potential(&self, z: &Float) -> Ball {
         let z = Ball::exact(z.clone()).with_prec(self.prec);
@@ -44,4 +50,9 @@ impl Field {
     pub(crate) fn balance(&self, z: &Ball, speed: &Ball) -> Ball {
         z.pow(&self.coordinate.force_power()) - &self.u * speed
     }
+}
+
+/// A damping to a few digits, for messages.
+pub(crate) fn shown(u: &Ball) -> String {
+    u.mid().to_string_radix(10, Some(6))
 }

@@ -8,6 +8,7 @@
 mod collision;
 mod compression;
 mod coordinate;
+mod dashpot;
 mod end;
 mod envelope;
 mod error;

@@ -58,7 +58,7 @@ impl Saturation {
         let point = funnel(&field, &start)?;
         let mut stepper = Stepper::new(field.wanted_slope());
         stepper.start_with((0.2 * start.to_f64()).min(0.25));
-        let exit_speed = to_zero_compression(&field, &mut stepper, point, |_| Ok(None))?;
+        let exit_speed = to_zero_compression(&field, &mut stepper, point)?;
         Ok(Self {
             exit_speed,
             needed: needed_speed(&field, &start),

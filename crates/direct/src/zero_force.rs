@@ -1,8 +1,8 @@
-//! The zero of the force on the way out, where contact ends under delayed recovery.
+//! The zero of the force on the way out, where contact ends under delayed recovery: where it lies, proved.
 
 use crate::field::Field;
 use crate::fixed::{BOUND_BITS, lower_bound, upper_bound};
-use crate::phase_arc::PhaseArc;
+use crate::phase_arc::{PhaseArc, PhasePoint};
 use num_rational::BigRational;
 use num_traits::One;
 use restitution_real::Ball;
@@ -13,17 +13,61 @@ const ITERATIONS: u32 = 4096;
 /// Bits that say how close, relative to the place, the zero must be known.
 const NEAR: i32 = 20;
 
-/// The speed where the force vanishes, if that happens on this arc.
+/// What one arc of the way out proves about the zero of the force.
+pub(crate) enum ForceZero {
+    /// The force is negative at the end of the arc, so its only zero lies before; the speed there.
+    Passed(Ball),
+    /// The force is positive all along the arc: its zero lies beyond.
+    NotPassed,
+    /// The sign at the end is not known.
+    Undecided,
+}
+
+/// The speed at the zero of the force, if the zero lies below a point where the elastic energy that
+/// is left is less than the working precision shows; `None` if that is not proved.
+///
+/// ```text
+/// balance(z, w) > 0   =>   w^2 <= w_f^2 <= w^2 + 2 q z^A/A
+/// ```
+///
+/// The speed grows as long as the force is positive, and the damping only takes from it
+/// (docs/direct-integration.md, Prop. 5b).
+pub(crate) fn none_left(field: &Field, point: &PhasePoint, settled: &Float) -> Option<Ball> {
+    if point.z > *settled {
+        return None;
+    }
+    let z = Ball::exact(point.z.clone()).with_prec(field.prec);
+    let speed = point.velocity().abs();
+    if !field.balance(&z, &speed).is_positive() {
+        return None;
+    }
+    let c = &field.coordinate;
+    let left = (field.rational(&(&c.q / &c.elastic)) * z.pow(&c.elastic)).shifted(1);
+    let fastest = (&speed * &speed + left).sqrt();
+    fastest.is_finite().then(|| speed.union(&fastest))
+}
+
+/// Decides whether the force vanishes on this arc, and gives the speed there.
 ///
 /// On the way out the speed is largest there, so an error of the place matters only by its square
 /// (docs/direct-integration.md, Prop. 5).
-pub(crate) fn zero_of_force(field: &Field, arc: &PhaseArc) -> Option<Ball> {
+pub(crate) fn locate(field: &Field, arc: &PhaseArc) -> ForceZero {
     let end = Ball::exact(arc.end.clone()).with_prec(field.prec);
-    if !field.balance(&end, &arc.reached.velocity().abs()).is_negative() {
-        return None;
+    let balance = field.balance(&end, &arc.reached.velocity().abs());
+    if balance.is_positive() {
+        return ForceZero::NotPassed;
     }
+    if balance.is_negative() {
+        ForceZero::Passed(speed_at_zero(field, arc, &end))
+    } else {
+        ForceZero::Undecided
+    }
+}
+
+/// The speed at a zero of the force that lies on the arc.
+fn speed_at_zero(field: &Field, arc: &PhaseArc, end: &Ball) -> Ball {
     let start = Ball::exact(arc.start.clone()).with_prec(field.prec);
-    let (z, speed) = newton(field, arc, &start, &end);
+    let (z, speed) = newton(field, arc, &start, end);
     let off = field.balance(&z, &speed).abs();
     // The zero lies within 2 |balance|/((A-B) z^(A-B-1)); the balance there stays within its size.
     let c = &field.coordinate;
@@ -40,10 +84,10 @@ pub(crate) fn zero_of_force(field: &Field, arc: &PhaseArc) -> Option<Ball> {
     let inside = (z.shifted(-NEAR).with_prec(BOUND_BITS) - &width).is_positive()
         && !(bent - &least_rise).is_positive();
     if !inside {
-        return Some(Ball::whole_line(field.prec));
+        return Ball::whole_line(field.prec);
     }
     let excess = upper_bound(&(pull * upper_bound(&off) * width));
-    Some(speed.widened(&excess.upper()))
+    speed.widened(&excess.upper())
 }
 
 /// Newton's iteration for the zero of the balance on an arc, kept between its ends.

@@ -1,6 +1,7 @@
 //! `restitution epsilon`: the coefficient of restitution by certified direct integration.
 
 mod damping;
+mod refusals;
 
 use crate::args::{EndArgs, EndOfContact, LawArgs, count};
 use crate::exact::Exact;
@@ -10,6 +11,7 @@ use crate::units::{self, Quantity};
 use crate::{Cell, CliError, OutputArgs, Table};
 use damping::{DampingArgs, Source};
 use rayon::prelude::*;
+use refusals::Refusals;
 use restitution_direct::{Collision, DirectError, End, saturation_radius, saturation_speed};
 use restitution_real::Ball;
 
@@ -71,17 +73,20 @@ fn digits(text: &str) -> Result<usize, String> {
 impl EpsilonArgs {
     /// Integrates the collisions and prints the table.
     ///
+    /// Of a list, what can be answered is printed and the rest left empty, with one line on stderr. That
+    /// bodies do not separate is an answer as long as others of the list do; digits that could not be
+    /// proved are a failure, after the others are printed.
+    ///
     /// # Errors
     ///
     /// Usage where the law and the end of contact do not go together or the damping is incomplete,
-    /// failure where a coefficient does not exist or its digits cannot be proved.
+    /// failure where no coefficient of the list exists or the digits of one cannot be proved.
     pub fn run(&self) -> Result<(), CliError> {
         self.output.check()?;
-        let table = if self.saturation { self.saturated()? } else { self.integrated()? };
-        self.output.print(&table)
+        if self.saturation { self.output.print(&self.saturated()?) } else { self.integrated() }
     }
 
-    fn integrated(&self) -> Result<Table, CliError> {
+    fn integrated(&self) -> Result<(), CliError> {
         units::all_or_none(&list::flat(&self.velocity)).map_err(CliError::usage)?;
         let end = match self.end.end {
             EndOfContact::ZeroCompression => End::ZeroCompression,
@@ -90,7 +95,7 @@ impl EpsilonArgs {
         let collision = Collision::new(&self.law.law, end).map_err(usage)?;
         let points = self.points()?;
         let progress = Progress::steps("collisions", points.len() as u64);
-        let values: Result<Vec<String>, CliError> = points
+        let values: Vec<Result<Ball, DirectError>> = points
             .par_iter()
             .map(|(_, source)| {
                 let value = self.value(&collision, source);
@@ -98,15 +103,36 @@ impl EpsilonArgs {
                 value
             })
             .collect();
-        let values = values?;
+        drop(progress);
         let first = if self.velocity.is_empty() { "u" } else { "velocity" };
         let second = if self.quantity == Printed::Epsilon { "epsilon" } else { "one_minus_epsilon" };
         let mut table = Table::new(&[first, second]).titled(format!("Force law {}", self.law.law));
+        let mut refusals = Refusals::default();
         for ((name, _), value) in points.into_iter().zip(values) {
-            table.push(vec![Cell::Digits(name), Cell::Digits(value)]);
+            let cell = match value {
+                Ok(ball) => Cell::Digits(self.shown(&ball)?),
+                Err(error) => {
+                    refusals.add(&name, error);
+                    Cell::Empty
+                }
+            };
+            table.push(vec![Cell::Digits(name), cell]);
         }
         table.note("every digit is proved: direct integration with bounded remainders");
-        Ok(table)
+        self.answer(&table, &refusals, first)
+    }
+
+    /// Prints what can be answered and says what cannot.
+    fn answer(&self, table: &Table, refusals: &Refusals, name: &str) -> Result<(), CliError> {
+        let Some(error) = refusals.error(name, table.rows().len()) else { return self.output.print(table) };
+        if refusals.count() < table.rows().len() {
+            self.output.print(table)?;
+        }
+        if !refusals.all_are_facts() || refusals.count() == table.rows().len() {
+            return Err(error);
+        }
+        error.report();
+        Ok(())
     }
 
     /// What was asked for, as typed and as a damping to any precision.
@@ -119,13 +145,13 @@ impl EpsilonArgs {
         list::flat(&self.velocity).iter().map(from).collect()
     }
 
-    fn value(&self, collision: &Collision, source: &Source) -> Result<String, CliError> {
-        let u = |prec| source.at(prec);
-        let ball = match self.quantity {
-            Printed::Epsilon => collision.epsilon_of(u, self.digits),
-            Printed::Loss => collision.one_minus_epsilon_of(u, self.digits),
-        };
-        self.shown(&ball.map_err(CliError::failure)?)
+    fn value(&self, collision: &Collision, source: &Source) -> Result<Ball, DirectError> {
+        match (self.quantity, source) {
+            (Printed::Epsilon, Source::Exact(u)) => collision.epsilon(u, self.digits),
+            (Printed::Loss, Source::Exact(u)) => collision.one_minus_epsilon(u, self.digits),
+            (Printed::Epsilon, _) => collision.epsilon_of(|prec| source.at(prec), self.digits),
+            (Printed::Loss, _) => collision.one_minus_epsilon_of(|prec| source.at(prec), self.digits),
+        }
     }
 
     fn saturated(&self) -> Result<Table, CliError> {

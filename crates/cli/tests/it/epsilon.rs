@@ -1,6 +1,6 @@
 //! `restitution epsilon`: digits, velocities, wrong input.
 
-use crate::support::{fail, succeed};
+use crate::support::{fail, restitution, succeed};
 
 #[test]
 fn epsilon_prints_proved_digits() {
@@ -74,4 +74,28 @@ fn grids_and_units_are_read_like_lists() {
     assert_eq!(grid, list);
     let (code, message) = fail("epsilon --u 0,5");
     assert!(code == 2 && message.contains("write 0.5"), "{message}");
+}
+
+#[test]
+fn a_list_is_answered_where_it_can_be() {
+    let out = restitution("epsilon --u 1,3,2 --law 1,0 --digits 10 --format csv").output().unwrap();
+    assert_eq!(out.status.code(), Some(0));
+    // exp(-pi/sqrt(3)) at zeta = 1/2; critical damping is u = 2.
+    assert_eq!(String::from_utf8_lossy(&out.stdout), "u,epsilon\n1,0.1630335348\n3,\n2,\n");
+    let message = String::from_utf8_lossy(&out.stderr).into_owned();
+    assert!(message.contains("no value for u = 3, 2: ") && message.contains("never separate"), "{message}");
+    assert_eq!(message.lines().count(), 1);
+
+    let json = restitution("epsilon --u 1,2 --law 1,0 --digits 10 --format json").output().unwrap();
+    assert!(String::from_utf8_lossy(&json.stdout).contains("null"));
+
+    let (code, message) = fail("epsilon --u 2,3 --law 1,0");
+    assert!(code == 1 && message.contains("no value for u = 2, 3: "), "{message}");
+}
+
+#[test]
+fn overdamped_bodies_part_where_the_force_vanishes() {
+    // exp(-(b/w) ln((b+w)/(b-w))), b = u/2, w = sqrt(b^2-1): w = 3/4 at u = 5/2; e^-2 at u = 2.
+    let text = succeed("epsilon --u 2,2.5 --law 1,0 --end zero-force --digits 20 --format csv");
+    assert_eq!(text, "u,epsilon\n2,0.13533528323661269189\n2.5,0.099212565748012467172\n");
 }
