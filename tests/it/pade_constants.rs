@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use restitution_direct::{Collision, End};
 use restitution_law::ForceLaw;
 use restitution_pade::table_one;
-use restitution_real::Ball;
+use restitution_real::{Ball, Balls};
 use restitution_series::{DelayedRecovery, Quantity, coefficients};
 use std::ffi::OsString;
 
@@ -63,7 +63,9 @@ fn table_one_as_printed() {
         let half_unit = rug::Float::with_val(32, 5e-7);
         Ball::from_ratio(millionths, 1_000_000, 100).widened(&half_unit)
     };
-    let closed = table_one(&Ball::from_ratio(3, 5, 100), &within(315_119), &within(161_167)).unwrap();
+    let closed =
+        table_one(&Balls::new(100), &Ball::from_ratio(3, 5, 100), &within(315_119), &within(161_167))
+            .unwrap();
     let enclosures = closed.num()[1..].iter().chain(&closed.den()[1..]);
     for (enclosure, ten_thousandths) in enclosures.zip([25_839, 35_839, 29_839, 11_487, 3_265]) {
         let rounding = rug::Float::with_val(32, 5e-5);

@@ -5,6 +5,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 use restitution_law::ForceLaw;
 use restitution_pade::{Approximant, Contact, PadeError, PadeType, approximant};
+use restitution_real::Rationals;
 use restitution_series::DelayedRecovery;
 
 type Poly = Vec<BigRational>;
@@ -65,13 +66,13 @@ fn by_euclid(series: &[BigRational], asked: PadeType) -> (Poly, Poly) {
 }
 
 /// The coefficient of `x^n` in `A Q - P`.
-fn residual(series: &[BigRational], entry: &Approximant<BigRational>, n: usize) -> BigRational {
+fn residual(series: &[BigRational], entry: &Approximant<Rationals>, n: usize) -> BigRational {
     let product: BigRational = entry.den().iter().zip(series[..=n].iter().rev()).map(|(q, a)| q * a).sum();
     entry.num().get(n).map_or(product.clone(), |p| product - p)
 }
 
 fn check_entry(name: &str, series: &[BigRational], asked: PadeType) {
-    let entry = approximant(series, asked).unwrap();
+    let entry = approximant(&Rationals, series, asked).unwrap();
     let (exact, order) = (entry.exact_type(), entry.contact().order());
     let context = format!("{name} {asked} {exact} {}", entry.contact());
     assert!((0..order).all(|n| residual(series, &entry, n).is_zero()), "{context}");
@@ -103,7 +104,7 @@ fn check_table(name: &str, series: &[BigRational]) {
 #[test]
 fn exponential_is_normal() {
     check_table("exp", &exponential(KNOWN));
-    let entry = approximant(&exponential(KNOWN), PadeType::new(3, 4)).unwrap();
+    let entry = approximant(&Rationals, &exponential(KNOWN), PadeType::new(3, 4)).unwrap();
     assert_eq!(entry.exact_type(), PadeType::new(3, 4));
     assert_eq!(entry.contact(), Contact::Exactly(8));
     assert_eq!(entry.den()[1], ratio(-4, 7)); // -M/(L + M)
@@ -114,7 +115,7 @@ fn even_functions_have_blocks_of_side_two() {
     let series = cosine(KNOWN);
     check_table("cos", &series);
     for (numerator, denominator) in [(4, 2), (4, 3), (5, 2), (5, 3)] {
-        let entry = approximant(&series, PadeType::new(numerator, denominator)).unwrap();
+        let entry = approximant(&Rationals, &series, PadeType::new(numerator, denominator)).unwrap();
         assert_eq!(entry.exact_type(), PadeType::new(4, 2));
         assert_eq!(entry.contact(), Contact::Exactly(8));
         assert_eq!(entry.deficiency(), usize::from(numerator + denominator == 8));
@@ -134,7 +135,7 @@ fn rational_functions_fill_an_infinite_block() {
         let exact = PadeType::new(num.len() - 1, den.len() - 1);
         for (numerator, denominator) in [(0, 0), (0, 5), (5, 0), (5, 5)] {
             let asked = PadeType::new(exact.numerator + numerator, exact.denominator + denominator);
-            let entry = approximant(&series, asked).unwrap();
+            let entry = approximant(&Rationals, &series, asked).unwrap();
             assert_eq!(entry.exact_type(), exact, "{asked}");
             assert_eq!(entry.contact(), Contact::AtLeast(KNOWN));
         }
@@ -144,9 +145,9 @@ fn rational_functions_fill_an_infinite_block() {
 #[test]
 fn lacunary_series_have_blocks_of_every_side() {
     check_table("lacunary", &lacunary(KNOWN));
-    let entry = approximant(&lacunary(KNOWN), PadeType::new(11, 3)).unwrap();
+    let entry = approximant(&Rationals, &lacunary(KNOWN), PadeType::new(11, 3)).unwrap();
     assert_eq!((entry.exact_type(), entry.deficiency()), (PadeType::new(8, 0), 0));
-    let entry = approximant(&lacunary(KNOWN), PadeType::new(12, 4)).unwrap();
+    let entry = approximant(&Rationals, &lacunary(KNOWN), PadeType::new(12, 4)).unwrap();
     assert_eq!((entry.exact_type(), entry.deficiency()), (PadeType::new(8, 0), 1));
 }
 
@@ -177,22 +178,22 @@ fn the_whole_table_of_delayed_recovery() {
 #[test]
 fn polynomials_and_inverse_polynomials() {
     let series = exponential(4);
-    let taylor = approximant(&series, PadeType::new(3, 0)).unwrap();
+    let taylor = approximant(&Rationals, &series, PadeType::new(3, 0)).unwrap();
     assert_eq!(taylor.num(), series);
-    let inverse = approximant(&series, PadeType::new(0, 3)).unwrap();
+    let inverse = approximant(&Rationals, &series, PadeType::new(0, 3)).unwrap();
     assert_eq!(inverse.den(), [ratio(1, 1), ratio(-1, 1), ratio(1, 2), ratio(-1, 6)]);
-    assert_eq!(approximant(&ints(&[5]), PadeType::new(0, 0)).unwrap().num(), ints(&[5]));
+    assert_eq!(approximant(&Rationals, &ints(&[5]), PadeType::new(0, 0)).unwrap().num(), ints(&[5]));
 }
 
 #[test]
 fn the_zero_series_is_zero_over_one() {
-    let entry = approximant(&ints(&[0; KNOWN]), PadeType::new(3, 4)).unwrap();
+    let entry = approximant(&Rationals, &ints(&[0; KNOWN]), PadeType::new(3, 4)).unwrap();
     assert!(entry.function().is_zero());
     assert_eq!((entry.num(), entry.den()), (&[][..], &ints(&[1])[..]));
     assert_eq!(entry.contact(), Contact::AtLeast(KNOWN));
     check_table("0", &ints(&[0; KNOWN]));
     let late = ints(&[0, 0, 0, 1, 1]);
-    let entry = approximant(&late, PadeType::new(2, 2)).unwrap();
+    let entry = approximant(&Rationals, &late, PadeType::new(2, 2)).unwrap();
     assert!(entry.function().is_zero());
     assert_eq!(entry.contact(), Contact::Exactly(3));
 }
@@ -200,11 +201,11 @@ fn the_zero_series_is_zero_over_one() {
 #[test]
 fn too_few_coefficients_are_an_error() {
     let short = exponential(7);
-    assert!(approximant(&short, PadeType::new(3, 3)).is_ok());
+    assert!(approximant(&Rationals, &short, PadeType::new(3, 3)).is_ok());
     for asked in [PadeType::new(3, 4), PadeType::new(usize::MAX, 1), PadeType::new(usize::MAX, usize::MAX)] {
-        let error = approximant(&short, asked).unwrap_err();
+        let error = approximant(&Rationals, &short, asked).unwrap_err();
         assert!(matches!(error, PadeError::NotEnoughCoefficients { known: 7, .. }), "{asked}");
     }
     let none: &[BigRational] = &[];
-    assert!(approximant(none, PadeType::new(0, 0)).is_err());
+    assert!(approximant(&Rationals, none, PadeType::new(0, 0)).is_err());
 }

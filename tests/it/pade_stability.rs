@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use restitution_law::ForceLaw;
 use restitution_pade::{Approximant, PadeType, approximant};
-use restitution_real::Ball;
+use restitution_real::{Ball, Balls, Rationals};
 use restitution_series::{Quantity, coefficients};
 
 /// `P` and `Q` in f64.
@@ -36,7 +36,7 @@ fn in_f64(c: &[f64], asked: PadeType) -> Quotient {
     (p, q)
 }
 
-fn nearest(entry: &Approximant<BigRational>) -> Quotient {
+fn nearest(entry: &Approximant<Rationals>) -> Quotient {
     let convert = |p: &[BigRational]| p.iter().map(|c| c.to_f64().unwrap()).collect();
     (convert(entry.num()), convert(entry.den()))
 }
@@ -51,7 +51,7 @@ fn lost(worst: f64) -> f64 {
     (worst / 2.0_f64.powi(-53)).max(1.0).log10()
 }
 
-fn lost_in_constants(entry: &Approximant<Ball>, (p, q): &Quotient) -> f64 {
+fn lost_in_constants(entry: &Approximant<Balls>, (p, q): &Quotient) -> f64 {
     let exact = entry.num().iter().chain(entry.den());
     let errors = exact.zip(p.iter().chain(q)).map(|(exact, f)| {
         let exact = exact.with_prec(200);
@@ -74,8 +74,8 @@ fn digits_lost_in_f64() {
         [(1, 4), (1, 6), (2, 7), (3, 8), (4, 9), (5, 10), (6, 11), (7, 12), (8, 13), (9, 14), (10, 15)]
     {
         let asked = PadeType::new(l, m);
-        let certified = approximant(&series, asked).unwrap();
-        let from_rounded = nearest(&approximant(&exactly_rounded, asked).unwrap());
+        let certified = approximant(&Balls::new(256), &series, asked).unwrap();
+        let from_rounded = nearest(&approximant(&Rationals, &exactly_rounded, asked).unwrap());
         let float = in_f64(&rounded, asked);
         let off = |quotient: &Quotient, u: i64| {
             let exact = certified.function().value(&Ball::from_integer(u, 200)).unwrap().to_f64();

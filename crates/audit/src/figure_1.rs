@@ -5,10 +5,10 @@ use crate::claim::{Claim, Finding, Slip, Verdict, number};
 use crate::printed_number::{Known, SHOWN_DIGITS, digits, exact};
 use crate::section_3_series::as_printed;
 use crate::sections_1_and_2::statement;
-use crate::true_values::{TrueValues, fraction, one};
+use crate::true_values::{FIELD, TrueValues, fraction, one};
 use num_rational::BigRational;
 use restitution_pade::RationalFunction;
-use restitution_real::Ball;
+use restitution_real::{Ball, Rationals};
 
 /// Where the curves are compared: impact velocities in cm/s.
 const VELOCITIES: [&str; 5] = ["0.3", "1", "2", "5", "10"];
@@ -84,10 +84,10 @@ fn ice(printed: &str, truth: &TrueValues) -> Result<Finding, AuditError> {
         .noting("the agreement of the figure is that of the wrong Table I: refit g*"))
 }
 
-fn value(formula: &RationalFunction<BigRational>, s: &Ball) -> Result<Ball, AuditError> {
+fn value(formula: &RationalFunction<Rationals>, s: &Ball) -> Result<Ball, AuditError> {
     let enclose = |p: &[BigRational]| p.iter().map(fraction).collect();
-    let formula =
-        RationalFunction::new(enclose(formula.num()), enclose(formula.den())).map_err(AuditError::failure)?;
+    let formula = RationalFunction::new(&FIELD, enclose(formula.num()), enclose(formula.den()))
+        .map_err(AuditError::failure)?;
     formula.value(s).map_err(AuditError::failure)
 }
 

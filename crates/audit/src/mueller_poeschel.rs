@@ -2,7 +2,7 @@
 
 use crate::AuditError;
 use crate::claim::{Claim, Finding, enclosed};
-use crate::true_values::TrueValues;
+use crate::true_values::{FIELD, TrueValues};
 use restitution_pade::{PadeType, approximant};
 
 /// Which polynomial a constant belongs to.
@@ -43,7 +43,7 @@ fn constant(
     part: Part,
     k: usize,
 ) -> Result<Finding, AuditError> {
-    let found = approximant(&truth.h, PadeType::new(l, m)).map_err(AuditError::failure)?;
+    let found = approximant(&FIELD, &truth.h, PadeType::new(l, m)).map_err(AuditError::failure)?;
     let polynomial = match part {
         Part::Num => found.num(),
         Part::Den => found.den(),

@@ -11,9 +11,9 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 use restitution_direct::saturation_radius;
 use restitution_pade::{
-    Bounds, Interval, PadeType, RationalFunction, RealField, Trend, approximant, table_one, verdict, zeros,
+    Bounds, Interval, PadeType, RationalFunction, Trend, approximant, table_one, verdict, zeros,
 };
-use restitution_real::Ball;
+use restitution_real::{Ball, OrderedField, Rationals};
 use restitution_series::{Quantity, coefficients};
 
 /// Table I with `d_1` of the numerator first, as printed.
@@ -113,17 +113,18 @@ fn constant(printed: &str, truth: &TrueValues, k: usize) -> Result<Finding, Audi
 }
 
 /// `d_1` is in the numerator, the others in the denominator.
-fn entry<F: RealField>(function: &RationalFunction<F>, k: usize) -> &F {
+fn entry<F: OrderedField>(function: &RationalFunction<F>, k: usize) -> &F::Number {
     if k == 1 { &function.num()[1] } else { &function.den()[k - 1] }
 }
 
 /// Formula (35) with the printed Table I, exactly.
-pub fn as_printed() -> Result<RationalFunction<BigRational>, AuditError> {
+pub fn as_printed() -> Result<RationalFunction<Rationals>, AuditError> {
     let read =
         |text: &&str| exact(text).ok_or_else(|| AuditError::failure(format!("'{text}' is not a number")));
     let d = TABLE.iter().map(read).collect::<Result<Vec<_>, _>>()?;
     let den = std::iter::once(BigRational::one()).chain(d[1..].iter().cloned()).collect();
-    RationalFunction::new(vec![BigRational::one(), d[0].clone()], den).map_err(AuditError::failure)
+    RationalFunction::new(&Rationals, vec![BigRational::one(), d[0].clone()], den)
+        .map_err(AuditError::failure)
 }
 
 fn series(a: &[BigRational; 3], a5: BigRational) -> Vec<BigRational> {
@@ -134,8 +135,8 @@ fn series(a: &[BigRational; 3], a5: BigRational) -> Vec<BigRational> {
 /// The general algorithm's approximant of `1 - s + a_2 s^2 - a_3 s^3 + a_4 s^4 + 0 s^5`.
 fn general_algorithm(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
     let a = [samples.fraction(), samples.fraction(), samples.fraction()];
-    let found =
-        approximant(&series(&a, BigRational::zero()), PadeType::new(1, 4)).map_err(AuditError::failure)?;
+    let found = approximant(&Rationals, &series(&a, BigRational::zero()), PadeType::new(1, 4))
+        .map_err(AuditError::failure)?;
     let [a2, a3, a4] = &a;
     let two = BigRational::from_integer(2.into());
     let d0 = a4 - &two * a3 - a2 * a2 + (&two + BigRational::one()) * a2 - BigRational::one();
@@ -151,7 +152,7 @@ fn unknown_fifth(truth: &TrueValues) -> Result<Finding, AuditError> {
     let (mut four, mut five) = (0, 0);
     for _ in 0..POINTS {
         let a = [samples.fraction(), samples.fraction(), samples.fraction()];
-        let closed = table_one(&a[0], &a[1], &a[2]).map_err(AuditError::failure)?;
+        let closed = table_one(&Rationals, &a[0], &a[1], &a[2]).map_err(AuditError::failure)?;
         let wanted = series(&a, samples.fraction());
         let met = closed.series(6);
         four += usize::from(met[..5] == wanted[..5]);
@@ -159,7 +160,7 @@ fn unknown_fifth(truth: &TrueValues) -> Result<Finding, AuditError> {
     }
     let genuine = truth.genuine()?;
     let zero = -(one() / entry(&genuine, 1));
-    let zeros = zeros(genuine.num(), &Interval::HalfLine).map_err(AuditError::failure)?;
+    let zeros = zeros(genuine.field(), genuine.num(), &Interval::HalfLine).map_err(AuditError::failure)?;
     let found = statement(
         format!("4 coefficients met at {four} of {POINTS} random points, the fifth at {five}"),
         four == POINTS,
@@ -199,7 +200,7 @@ fn at_infinity(printed: &str, truth: &TrueValues) -> Result<Finding, AuditError>
 fn smooth() -> Result<Finding, AuditError> {
     let printed = as_printed()?;
     let series = printed.series(6);
-    let found = approximant(&series, PadeType::new(1, 4)).map_err(AuditError::failure)?;
+    let found = approximant(&Rationals, &series, PadeType::new(1, 4)).map_err(AuditError::failure)?;
     let found = verdict(&found, &Interval::HalfLine).map_err(AuditError::failure)?;
     let holds = found.poles == 0 && found.trend == Trend::Decreasing && found.bounds == Bounds::Within;
     Ok(statement(format!("{} poles on s >= 0, {}, {}", found.poles, found.trend, found.bounds), holds))

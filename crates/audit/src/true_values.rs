@@ -7,7 +7,7 @@ use num_traits::{One, Zero};
 use restitution_direct::{Collision, End};
 use restitution_law::ForceLaw;
 use restitution_pade::{PadeType, RationalFunction, approximant, table_one};
-use restitution_real::Ball;
+use restitution_real::{Ball, Balls};
 use restitution_series::{
     Quantity, TailBound, Trajectories, TurningPointSum, Units, coefficients, turning_time,
 };
@@ -16,6 +16,8 @@ use restitution_series::{
 const DIGITS: usize = 45;
 /// Bits of the numbers computed from them.
 const BITS: u32 = 200;
+/// The field of the numbers here.
+pub const FIELD: Balls = Balls::new(BITS);
 /// The highest order of the expansion that a claim needs.
 const ORDER: usize = 9;
 
@@ -60,7 +62,7 @@ pub struct Halved {
     /// `a_0 .. a_4` by (A33) to (A36).
     pub a: Vec<Ball>,
     /// Table I from these.
-    pub table: RationalFunction<Ball>,
+    pub table: RationalFunction<Balls>,
 }
 
 /// The printed formulas of `y_2` and `y_3` (A26), (A27), derivatives taken at `T`.
@@ -119,8 +121,8 @@ impl TrueValues {
     /// # Errors
     ///
     /// What the Padé algorithm says.
-    pub fn genuine(&self) -> Result<RationalFunction<Ball>, AuditError> {
-        let found = approximant(&self.in_s(), PadeType::new(1, 4)).map_err(AuditError::failure)?;
+    pub fn genuine(&self) -> Result<RationalFunction<Balls>, AuditError> {
+        let found = approximant(&FIELD, &self.in_s(), PadeType::new(1, 4)).map_err(AuditError::failure)?;
         Ok(found.function().clone())
     }
 
@@ -129,8 +131,8 @@ impl TrueValues {
     /// # Errors
     ///
     /// As [`table_one`].
-    pub fn table_with_right_coefficients(&self) -> Result<RationalFunction<Ball>, AuditError> {
-        table_one(&three_fifths(), &self.a[3], &self.a[4]).map_err(AuditError::failure)
+    pub fn table_with_right_coefficients(&self) -> Result<RationalFunction<Balls>, AuditError> {
+        table_one(&FIELD, &three_fifths(), &self.a[3], &self.a[4]).map_err(AuditError::failure)
     }
 }
 
@@ -193,7 +195,7 @@ impl Halved {
             c.push(Formula::read(formula)?.value(&scope)?);
         }
         let a: Vec<Ball> = (0..).zip(&c).map(|(k, value)| value / c[1].powi(k)).collect();
-        let table = table_one(&three_fifths(), &a[3], &a[4]).map_err(AuditError::failure)?;
+        let table = table_one(&FIELD, &three_fifths(), &a[3], &a[4]).map_err(AuditError::failure)?;
         Ok(Self { y2, y3, c, a, table })
     }
 }

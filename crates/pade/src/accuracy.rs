@@ -1,6 +1,6 @@
 use crate::{PadeError, RationalFunction};
 use num_rational::BigRational;
-use restitution_real::Ball;
+use restitution_real::{Ball, Balls};
 use std::cmp::Ordering;
 
 /// A certified point of the function that is approximated.
@@ -57,7 +57,7 @@ pub fn grid(low: &BigRational, high: &BigRational, intervals: u32) -> Result<Vec
 /// # Errors
 ///
 /// [`PadeError::Undecided`] if an enclosure of `Q(x)` contains zero.
-pub fn relative_error(function: &RationalFunction<Ball>, sample: &Sample) -> Result<Ball, PadeError> {
+pub fn relative_error(function: &RationalFunction<Balls>, sample: &Sample) -> Result<Ball, PadeError> {
     Ok((function.value(&sample.x)? / &sample.value - Ball::from_integer(1, sample.x.prec())).abs())
 }
 
@@ -81,7 +81,7 @@ const FINER: u32 = 6;
 ///
 /// [`PadeError::EmptyRange`] without points, those of [`relative_error`] and of `sample`.
 pub fn largest_error<E: From<PadeError>>(
-    function: &RationalFunction<Ball>,
+    function: &RationalFunction<Balls>,
     points: &[BigRational],
     mut sample: impl FnMut(&BigRational) -> Result<Sample, E>,
 ) -> Result<WorstError, E> {
@@ -120,7 +120,7 @@ const HALVINGS: usize = 12;
 ///
 /// As [`largest_error`].
 pub fn largest_reach<E: From<PadeError>>(
-    function: &RationalFunction<Ball>,
+    function: &RationalFunction<Balls>,
     points: &[BigRational],
     level: &BigRational,
     mut sample: impl FnMut(&BigRational) -> Result<Sample, E>,

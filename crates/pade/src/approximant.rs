@@ -1,6 +1,6 @@
 use crate::null_vector::null_vector;
-use crate::{AtInfinity, PadeError, PadeType, RationalFunction, RealField, polynomial};
-use restitution_series::ZeroTest;
+use crate::{AtInfinity, PadeError, PadeType, RationalFunction, polynomial};
+use restitution_real::{Field, OrderedField, ZeroTest};
 use std::fmt;
 
 /// How far a series and its approximant agree: the first power of `x` in `A - P/Q`.
@@ -32,16 +32,16 @@ impl fmt::Display for Contact {
 
 /// A Padé approximant in lowest terms, with what it is an approximant of.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Approximant<F> {
+pub struct Approximant<F: Field> {
     asked: PadeType,
     function: RationalFunction<F>,
     contact: Contact,
     met_at_infinity: usize,
     /// The coefficients of the series that `P/Q` shares.
-    shared: Vec<F>,
+    shared: Vec<F::Number>,
 }
 
-impl<F: RealField> Approximant<F> {
+impl<F: OrderedField> Approximant<F> {
     /// The type that was asked for.
     pub fn asked(&self) -> PadeType {
         self.asked
@@ -75,31 +75,37 @@ impl<F: RealField> Approximant<F> {
     }
 
     /// The coefficients of the numerator, constant term first.
-    pub fn num(&self) -> &[F] {
+    pub fn num(&self) -> &[F::Number] {
         self.function.num()
     }
 
     /// The coefficients of the denominator, constant term (which is 1) first.
-    pub fn den(&self) -> &[F] {
+    pub fn den(&self) -> &[F::Number] {
         self.function.den()
     }
 
+    /// The field of the coefficients.
+    pub fn field(&self) -> &F {
+        self.function.field()
+    }
+
     /// The coefficients of the series up to the order of contact, which `P/Q` has too.
-    pub(crate) fn shared(&self) -> &[F] {
+    pub(crate) fn shared(&self) -> &[F::Number] {
         &self.shared
     }
 
     /// The polynomial `P - c Q`, below the order of contact as `(A - c) Q`.
     ///
     /// The series keeps zeros exact that a difference of balls would blur.
-    pub(crate) fn minus(&self, c: &F) -> Vec<F> {
+    pub(crate) fn minus(&self, c: &F::Number) -> Vec<F::Number> {
+        let field = self.field();
         let mut series = self.shared.clone();
         if let Some(constant) = series.first_mut() {
-            *constant = std::mem::replace(constant, F::zero()) - c;
+            *constant = field.sub(constant, c);
         }
-        let scaled: Vec<F> = self.den().iter().map(|q| q.times(c)).collect();
-        let mut out = polynomial::difference(self.num(), &scaled);
-        let known = polynomial::product_trunc(&series, self.den(), series.len().min(out.len()));
+        let scaled: Vec<_> = self.den().iter().map(|q| field.mul(q, c)).collect();
+        let mut out = polynomial::difference(field, self.num(), &scaled);
+        let known = polynomial::product_trunc(field, &series, self.den(), series.len().min(out.len()));
         for (coefficient, sharp) in out.iter_mut().zip(known) {
             *coefficient = sharp;
         }
@@ -107,17 +113,17 @@ impl<F: RealField> Approximant<F> {
     }
 
     /// The polynomial `P' Q - P Q'`, below the order of contact as `A' Q^2`.
-    pub(crate) fn slope(&self) -> Vec<F> {
-        let (num, den) = (self.num(), self.den());
-        let rise = polynomial::product(&polynomial::derivative(num), den);
-        let fall = polynomial::product(num, &polynomial::derivative(den));
-        let mut out = polynomial::difference(&rise, &fall);
+    pub(crate) fn slope(&self) -> Vec<F::Number> {
+        let (field, num, den) = (self.field(), self.num(), self.den());
+        let rise = polynomial::product(field, &polynomial::derivative(field, num), den);
+        let fall = polynomial::product(field, num, &polynomial::derivative(field, den));
+        let mut out = polynomial::difference(field, &rise, &fall);
         if num.len() == den.len() {
             out.truncate((num.len() + den.len()).saturating_sub(3));
         }
-        let slopes = polynomial::derivative(&self.shared);
-        let known =
-            polynomial::product_trunc(&slopes, &polynomial::product(den, den), slopes.len().min(out.len()));
+        let slopes = polynomial::derivative(field, &self.shared);
+        let square = polynomial::product(field, den, den);
+        let known = polynomial::product_trunc(field, &slopes, &square, slopes.len().min(out.len()));
         for (coefficient, sharp) in out.iter_mut().zip(known) {
             *coefficient = sharp;
         }
@@ -150,26 +156,32 @@ impl<F: RealField> Approximant<F> {
 /// ```
 /// use num_rational::BigRational;
 /// use restitution_pade::{Contact, PadeError, PadeType, approximant};
+/// use restitution_real::Rationals;
 ///
 /// let ints = |p: &[i64]| p.iter().map(|&c| BigRational::from_integer(c.into())).collect::<Vec<_>>();
 ///
 /// // 1 + x^2 + O(x^4): [1/1] degenerates to [0/0], because no [1/1] quotient matches x^2.
-/// let even = approximant(&ints(&[1, 0, 1, 0]), PadeType::new(1, 1))?;
+/// let even = approximant(&Rationals, &ints(&[1, 0, 1, 0]), PadeType::new(1, 1))?;
 /// assert_eq!(even.exact_type(), PadeType::new(0, 0));
 /// assert_eq!(even.contact(), Contact::Exactly(2));
 /// assert_eq!(even.deficiency(), 1);
 ///
-/// let short = approximant(&ints(&[1, 1]), PadeType::new(1, 1));
+/// let short = approximant(&Rationals, &ints(&[1, 1]), PadeType::new(1, 1));
 /// assert!(matches!(short, Err(PadeError::NotEnoughCoefficients { needed: 3, known: 2, .. })));
 /// # Ok::<(), PadeError>(())
 /// ```
-pub fn approximant<F: RealField>(series: &[F], asked: PadeType) -> Result<Approximant<F>, PadeError> {
-    solve(series, asked, &AtInfinity::nothing())
+pub fn approximant<F: OrderedField>(
+    field: &F,
+    series: &[F::Number],
+    asked: PadeType,
+) -> Result<Approximant<F>, PadeError> {
+    solve(field, series, asked, &AtInfinity::nothing())
 }
 
 /// Solves for `P/Q` with the last conditions exchanged for those at infinity.
-pub(crate) fn solve<F: RealField>(
-    series: &[F],
+pub(crate) fn solve<F: OrderedField>(
+    field: &F,
+    series: &[F::Number],
     asked: PadeType,
     infinity: &AtInfinity<F>,
 ) -> Result<Approximant<F>, PadeError> {
@@ -179,18 +191,18 @@ pub(crate) fn solve<F: RealField>(
         return Err(PadeError::NotEnoughCoefficients { asked, needed, known: series.len() });
     }
     let PadeType { numerator, denominator } = asked;
-    let mut rows: Vec<Vec<F>> =
-        (numerator + 1..needed).map(|n| contact_row(series, n, denominator)).collect();
-    rows.extend((0..conditions).map(|i| infinity.row(series, asked, i)));
-    let den = null_vector(rows, denominator + 1)?;
+    let mut rows: Vec<Vec<F::Number>> =
+        (numerator + 1..needed).map(|n| contact_row(field, series, n, denominator)).collect();
+    rows.extend((0..conditions).map(|i| infinity.row(field, series, asked, i)));
+    let den = null_vector(field, rows, denominator + 1)?;
     let lost = denominator + 1 - den.len();
     let shift =
-        polynomial::lowest(&den, "whether the constant term of the denominator is zero")?.unwrap_or(0);
+        polynomial::lowest(field, &den, "whether the constant term of the denominator is zero")?.unwrap_or(0);
     let constant = den[shift].clone();
-    let mut den: Vec<F> = den.into_iter().skip(shift).map(|c| c / &constant).collect();
-    den[0] = F::one();
-    let num = polynomial::product_trunc(series, &den, (numerator + 1).saturating_sub(shift));
-    let function = RationalFunction::new(num, den)?;
+    let mut den: Vec<_> = den.iter().skip(shift).map(|c| field.div(c, &constant)).collect();
+    den[0] = field.one();
+    let num = polynomial::product_trunc(field, series, &den, (numerator + 1).saturating_sub(shift));
+    let function = RationalFunction::new(field, num, den)?;
     let contact = contact(series, &function, needed.saturating_sub(shift));
     let shared = series[..contact.order()].to_vec();
     let met_at_infinity = conditions.saturating_sub(lost);
@@ -198,19 +210,20 @@ pub(crate) fn solve<F: RealField>(
 }
 
 /// The coefficient of `x^n` in `A Q`, as a row of the unknowns `q_0, ..., q_M`.
-fn contact_row<F: RealField>(series: &[F], n: usize, denominator: usize) -> Vec<F> {
-    (0..=denominator).map(|j| n.checked_sub(j).map_or_else(F::zero, |k| series[k].clone())).collect()
+fn contact_row<F: Field>(field: &F, series: &[F::Number], n: usize, denominator: usize) -> Vec<F::Number> {
+    (0..=denominator).map(|j| n.checked_sub(j).map_or_else(|| field.zero(), |k| series[k].clone())).collect()
 }
 
 /// The order of contact, from the first coefficient of `A Q - P` that is not zero.
 ///
 /// Below `proved` the coefficients vanish by construction.
-fn contact<F: RealField>(series: &[F], function: &RationalFunction<F>, proved: usize) -> Contact {
+fn contact<F: OrderedField>(series: &[F::Number], function: &RationalFunction<F>, proved: usize) -> Contact {
+    let field = function.field();
     for n in proved..series.len() {
         let terms = function.den().iter().zip(series[..=n].iter().rev());
-        let product = terms.fold(F::zero(), |sum, (q, a)| sum + q.times(a));
-        let residual = function.num().get(n).map_or_else(|| product.clone(), |p| product.clone() - p);
-        match residual.zero_test() {
+        let product = terms.fold(field.zero(), |sum, (q, a)| field.add(&sum, &field.mul(q, a)));
+        let residual = function.num().get(n).map_or_else(|| product.clone(), |p| field.sub(&product, p));
+        match field.zero_test(&residual) {
             ZeroTest::Zero => {}
             ZeroTest::NonZero => return Contact::Exactly(n),
             ZeroTest::Undecided => return Contact::AtLeast(n),

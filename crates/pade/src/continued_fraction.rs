@@ -1,10 +1,11 @@
-use crate::{Approximant, PadeError, RationalFunction, RealField, polynomial};
+use crate::{Approximant, PadeError, RationalFunction, polynomial};
+use restitution_real::{Field, OrderedField, ZeroTest};
 
 /// One link `c x^alpha` of a continued fraction.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Link<F> {
+pub struct Link<N> {
     /// The coefficient `c`, not zero.
-    pub coefficient: F,
+    pub coefficient: N,
     /// The power `alpha >= 1`.
     pub power: usize,
 }
@@ -24,14 +25,15 @@ pub struct Link<F> {
 /// With all powers 1 it is the regular C-fraction, whose convergents are the approximants
 /// `[0/0], [1/0], [1/1], [2/1], ...`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ContinuedFraction<F> {
+pub struct ContinuedFraction<F: Field> {
+    field: F,
     /// The constant `c_0`.
-    pub constant: F,
+    pub constant: F::Number,
     /// The links, outermost first.
-    pub links: Vec<Link<F>>,
+    pub links: Vec<Link<F::Number>>,
 }
 
-impl<F: RealField> ContinuedFraction<F> {
+impl<F: OrderedField> ContinuedFraction<F> {
     /// Returns the quotient of polynomials that the fraction equals, in lowest terms.
     ///
     /// ```text
@@ -45,29 +47,30 @@ impl<F: RealField> ContinuedFraction<F> {
     ///
     /// [`PadeError::Undecided`] if a ball leaves a leading coefficient open.
     pub fn to_rational(&self) -> Result<RationalFunction<F>, PadeError> {
-        let mut before = (vec![F::one()], Vec::new());
-        let mut last = (vec![self.constant.clone()], vec![F::one()]);
+        let field = &self.field;
+        let mut before = (vec![field.one()], Vec::new());
+        let mut last = (vec![self.constant.clone()], vec![field.one()]);
         for link in &self.links {
-            let next = (add_link(&last.0, link, &before.0), add_link(&last.1, link, &before.1));
+            let next = (add_link(field, &last.0, link, &before.0), add_link(field, &last.1, link, &before.1));
             before = std::mem::replace(&mut last, next);
         }
-        RationalFunction::new(last.0, last.1)
+        RationalFunction::new(field, last.0, last.1)
     }
 }
 
 /// `a + c x^alpha b`.
-fn add_link<F: RealField>(a: &[F], link: &Link<F>, b: &[F]) -> Vec<F> {
+fn add_link<F: Field>(field: &F, a: &[F::Number], link: &Link<F::Number>, b: &[F::Number]) -> Vec<F::Number> {
     let mut out = a.to_vec();
     if !b.is_empty() {
-        out.resize(a.len().max(b.len() + link.power), F::zero());
+        out.resize(a.len().max(b.len() + link.power), field.zero());
     }
     for (c, y) in out.iter_mut().skip(link.power).zip(b) {
-        *c = std::mem::replace(c, F::zero()) + link.coefficient.times(y);
+        *c = field.add(c, &field.mul(&link.coefficient, y));
     }
     out
 }
 
-impl<F: RealField> Approximant<F> {
+impl<F: OrderedField> Approximant<F> {
     /// Returns the continued fraction that equals the approximant.
     ///
     /// With `f_0 = Q`, `f_1 = (P - c_0 Q)/(c_1 x^alpha_1)`, `f_(n+1) = (f_(n-1) - f_n)/(c x^alpha)`
@@ -79,73 +82,69 @@ impl<F: RealField> Approximant<F> {
     ///
     /// [`PadeError::Undecided`] if a ball that decides a power contains zero.
     pub fn continued_fraction(&self) -> Result<ContinuedFraction<F>, PadeError> {
-        let constant = self.num().first().cloned().unwrap_or_else(F::zero);
-        let mut series = self.shared().to_vec();
-        if let Some(c) = series.first_mut() {
-            *c = F::zero();
-        }
-        let (mut polynomial, mut links) = (self.minus(&constant), Vec::new());
-        set_constant_zero(&mut polynomial);
-        let mut before = Pair { polynomial: self.den().to_vec(), series: vec![F::one()] };
-        before.series.resize(series.len(), F::zero());
-        let mut last = Pair { polynomial, series };
-        while let Some(link) = last.take_link()? {
+        let field = self.field();
+        let constant = self.num().first().cloned().unwrap_or_else(|| field.zero());
+        let (mut polynomial, mut series) = (self.minus(&constant), self.shared().to_vec());
+        set_constant(&mut series, field.zero());
+        set_constant(&mut polynomial, field.zero());
+        let mut before = Pair { polynomial: self.den().to_vec(), series: vec![field.one()] };
+        before.series.resize(series.len(), field.zero());
+        let (mut last, mut links) = (Pair { polynomial, series }, Vec::new());
+        while let Some(link) = last.take_link(field)? {
             links.push(link);
-            let next = before.minus(&last);
+            let next = before.minus(field, &last);
             before = std::mem::replace(&mut last, next);
         }
-        Ok(ContinuedFraction { constant, links })
+        Ok(ContinuedFraction { field: field.clone(), constant, links })
     }
 }
 
-fn set_constant_zero<F: RealField>(p: &mut [F]) {
+fn set_constant<N>(p: &mut [N], value: N) {
     if let Some(c) = p.first_mut() {
-        *c = F::zero();
+        *c = value;
     }
 }
 
 /// A polynomial `f_n` and the beginning of the series `f_n/Q`.
 ///
 /// Both have the same lowest term; the series shows it sharply, the polynomial knows where to end.
-struct Pair<F> {
-    polynomial: Vec<F>,
-    series: Vec<F>,
+struct Pair<N> {
+    polynomial: Vec<N>,
+    series: Vec<N>,
 }
 
-impl<F: RealField> Pair<F> {
+impl<N: Clone> Pair<N> {
     /// Splits off the lowest term `c x^alpha`, leaving a constant term 1; `None` at the end.
-    fn take_link(&mut self) -> Result<Option<Link<F>>, PadeError> {
+    fn take_link<F: Field<Number = N>>(&mut self, field: &F) -> Result<Option<Link<N>>, PadeError> {
         let what = "whether a link of the continued fraction is zero";
         for (blurred, sharp) in self.polynomial.iter_mut().zip(&self.series) {
-            if !sharp.is_zero() {
+            if field.zero_test(sharp) != ZeroTest::Zero {
                 break;
             }
-            *blurred = F::zero();
+            *blurred = field.zero();
         }
-        let sharp = polynomial::lowest(&self.series, what)?;
+        let sharp = polynomial::lowest(field, &self.series, what)?;
         let (power, coefficient) = match sharp {
             Some(power) => (power, self.series[power].clone()),
-            None => match polynomial::lowest(&self.polynomial, what)? {
+            None => match polynomial::lowest(field, &self.polynomial, what)? {
                 Some(power) => (power, self.polynomial[power].clone()),
                 None => return Ok(None),
             },
         };
         for part in [&mut self.polynomial, &mut self.series] {
-            *part = part.iter().skip(power).map(|c| c.clone() / &coefficient).collect();
-            if let Some(c) = part.first_mut() {
-                *c = F::one();
-            }
+            *part = part.iter().skip(power).map(|c| field.div(c, &coefficient)).collect();
+            set_constant(part, field.one());
         }
         Ok(Some(Link { coefficient, power }))
     }
 
     /// `f_(n-1) - f_n`, whose constant terms cancel.
-    fn minus(&self, other: &Self) -> Self {
-        let mut polynomial = polynomial::difference(&self.polynomial, &other.polynomial);
+    fn minus<F: Field<Number = N>>(&self, field: &F, other: &Self) -> Self {
+        let mut polynomial = polynomial::difference(field, &self.polynomial, &other.polynomial);
         let terms = self.series.iter().zip(&other.series);
-        let mut series: Vec<F> = terms.map(|(a, b)| a.clone() - b).collect();
-        set_constant_zero(&mut polynomial);
-        set_constant_zero(&mut series);
+        let mut series: Vec<_> = terms.map(|(a, b)| field.sub(a, b)).collect();
+        set_constant(&mut polynomial, field.zero());
+        set_constant(&mut series, field.zero());
         Self { polynomial, series }
     }
 }

@@ -1,7 +1,7 @@
 //! Padé approximants of exact and certified series.
 //!
 //! An [`Approximant`] `P/Q` of a power series comes from [`approximant`], or from [`two_point`] when
-//! it must meet an expansion at infinity too. Everything is generic over [`RealField`]: with exact
+//! it must meet an expansion at infinity too. Everything is generic over an [`OrderedField`](restitution_real::OrderedField): with exact
 //! rationals every question has an answer, with balls a question whose answer hangs on a number that
 //! may be zero is answered by [`PadeError::Undecided`], and [`with_precision`] asks again with more
 //! bits. [`verdict`] says what an approximant is good for.
@@ -15,7 +15,6 @@ mod pade_type;
 mod polynomial;
 mod precision;
 mod rational_function;
-mod real_field;
 mod table_one;
 mod two_point;
 mod verdict;
@@ -28,7 +27,6 @@ pub use error::PadeError;
 pub use pade_type::PadeType;
 pub use precision::with_precision;
 pub use rational_function::RationalFunction;
-pub use real_field::RealField;
 pub use table_one::table_one;
 pub use two_point::{AtInfinity, two_point};
 pub use verdict::{Bounds, Trend, Verdict, verdict};

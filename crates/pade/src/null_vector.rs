@@ -1,5 +1,5 @@
-use crate::{PadeError, RealField};
-use restitution_series::ZeroTest;
+use crate::PadeError;
+use restitution_real::{Field, OrderedField, ZeroTest};
 
 /// Returns the null vector with the fewest leading coordinates, its last coordinate being 1.
 ///
@@ -14,51 +14,60 @@ use restitution_series::ZeroTest;
 /// # Errors
 ///
 /// [`PadeError::Undecided`] if a column has no entry that is certainly nonzero but one that may be.
-pub(crate) fn null_vector<F: RealField>(mut rows: Vec<Vec<F>>, columns: usize) -> Result<Vec<F>, PadeError> {
+pub(crate) fn null_vector<F: OrderedField>(
+    field: &F,
+    mut rows: Vec<Vec<F::Number>>,
+    columns: usize,
+) -> Result<Vec<F::Number>, PadeError> {
     for column in 0..columns {
-        let Some(pivot) = pivot(&rows, column)? else {
-            return Ok(back_substitute(&rows, column));
+        let Some(pivot) = pivot(field, &rows, column)? else {
+            return Ok(back_substitute(field, &rows, column));
         };
         rows.swap(column, pivot);
         let (done, below) = rows.split_at_mut(column + 1);
         for row in below {
-            eliminate(row, &done[column], column);
+            eliminate(field, row, &done[column], column);
         }
     }
     Ok(Vec::new())
 }
 
 /// The best row, among those not used yet, to eliminate `column` with; `None` if all are zero there.
-fn pivot<F: RealField>(rows: &[Vec<F>], column: usize) -> Result<Option<usize>, PadeError> {
+fn pivot<F: OrderedField>(
+    field: &F,
+    rows: &[Vec<F::Number>],
+    column: usize,
+) -> Result<Option<usize>, PadeError> {
     let open = rows.iter().enumerate().skip(column);
-    let nonzero = open.clone().filter(|(_, row)| row[column].zero_test() == ZeroTest::NonZero);
-    if let Some((index, _)) = nonzero.max_by_key(|(_, row)| row[column].pivot_rank()) {
+    let nonzero = open.clone().filter(|(_, row)| field.zero_test(&row[column]) == ZeroTest::NonZero);
+    if let Some((index, _)) = nonzero.max_by_key(|(_, row)| field.pivot_rank(&row[column])) {
         return Ok(Some(index));
     }
-    if open.clone().any(|(_, row)| row[column].zero_test() == ZeroTest::Undecided) {
+    if open.clone().any(|(_, row)| field.zero_test(&row[column]) == ZeroTest::Undecided) {
         return Err(PadeError::Undecided { what: "whether a pivot of the linear system is zero" });
     }
     Ok(None)
 }
 
 /// Subtracts the multiple of `by` that clears `column`; entries before it are zero already.
-fn eliminate<F: RealField>(row: &mut [F], by: &[F], column: usize) {
-    if row[column].zero_test() == ZeroTest::Zero {
+fn eliminate<F: Field>(field: &F, row: &mut [F::Number], by: &[F::Number], column: usize) {
+    if field.zero_test(&row[column]) == ZeroTest::Zero {
         return;
     }
-    let factor = std::mem::replace(&mut row[column], F::zero()) / &by[column];
+    let factor = field.div(&row[column], &by[column]);
+    row[column] = field.zero();
     for (entry, above) in row[column + 1..].iter_mut().zip(&by[column + 1..]) {
-        *entry = std::mem::replace(entry, F::zero()) - factor.times(above);
+        *entry = field.sub(entry, &field.mul(&factor, above));
     }
 }
 
 /// Solves the upper triangle above the dependent `column`.
-fn back_substitute<F: RealField>(rows: &[Vec<F>], column: usize) -> Vec<F> {
-    let mut vector = vec![F::one(); column + 1];
+fn back_substitute<F: Field>(field: &F, rows: &[Vec<F::Number>], column: usize) -> Vec<F::Number> {
+    let mut vector = vec![field.one(); column + 1];
     for r in (0..column).rev() {
         let terms = rows[r][r + 1..=column].iter().zip(&vector[r + 1..]);
-        let sum = terms.fold(F::zero(), |sum, (entry, v)| sum + entry.times(v));
-        vector[r] = -sum / &rows[r][r];
+        let sum = terms.fold(field.zero(), |sum, (entry, v)| field.sub(&sum, &field.mul(entry, v)));
+        vector[r] = field.div(&sum, &rows[r][r]);
     }
     vector
 }

@@ -1,5 +1,5 @@
-use crate::{PadeError, PadeType, RealField, polynomial};
-use restitution_series::ZeroTest;
+use crate::{PadeError, PadeType, polynomial};
+use restitution_real::{Field, OrderedField, ZeroTest};
 
 /// A quotient of polynomials `P(x)/Q(x)` with `Q(0) = 1`.
 ///
@@ -11,31 +11,33 @@ use restitution_series::ZeroTest;
 /// ```
 /// use num_rational::BigRational;
 /// use restitution_pade::{PadeError, RationalFunction};
+/// use restitution_real::Rationals;
 ///
 /// let ints = |p: &[i64]| p.iter().map(|&c| BigRational::from_integer(c.into())).collect::<Vec<_>>();
-/// let f = RationalFunction::new(ints(&[2]), ints(&[2, -2]))?; // 1/(1 - x)
+/// let f = RationalFunction::new(&Rationals, ints(&[2]), ints(&[2, -2]))?; // 1/(1 - x)
 /// assert_eq!(f.series(4), ints(&[1, 1, 1, 1]));
 /// assert_eq!(f.degrees().to_string(), "[0/1]");
 ///
-/// assert_eq!(RationalFunction::new(ints(&[1]), ints(&[0, 1])), Err(PadeError::PoleAtZero));
+/// assert_eq!(RationalFunction::new(&Rationals, ints(&[1]), ints(&[0, 1])), Err(PadeError::PoleAtZero));
 /// # Ok::<(), PadeError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct RationalFunction<F> {
-    num: Vec<F>,
-    den: Vec<F>,
+pub struct RationalFunction<F: Field> {
+    field: F,
+    num: Vec<F::Number>,
+    den: Vec<F::Number>,
 }
 
-impl<F: RealField> RationalFunction<F> {
+impl<F: OrderedField> RationalFunction<F> {
     /// Returns `num/den`, scaled to `den(0) = 1`. Common factors are left in place.
     ///
     /// # Errors
     ///
     /// [`PadeError::PoleAtZero`] if `den(0) = 0`, [`PadeError::Undecided`] if a ball leaves that or
     /// the vanishing of a leading coefficient open.
-    pub fn new(mut num: Vec<F>, mut den: Vec<F>) -> Result<Self, PadeError> {
-        let constant = den.first().cloned().unwrap_or_else(F::zero);
-        match constant.zero_test() {
+    pub fn new(field: &F, mut num: Vec<F::Number>, mut den: Vec<F::Number>) -> Result<Self, PadeError> {
+        let constant = den.first().cloned().unwrap_or_else(|| field.zero());
+        match field.zero_test(&constant) {
             ZeroTest::Zero => return Err(PadeError::PoleAtZero),
             ZeroTest::Undecided => {
                 return Err(PadeError::Undecided {
@@ -44,24 +46,29 @@ impl<F: RealField> RationalFunction<F> {
             }
             ZeroTest::NonZero => {}
         }
-        if (constant.clone() - F::one()).zero_test() != ZeroTest::Zero {
+        if field.zero_test(&field.sub(&constant, &field.one())) != ZeroTest::Zero {
             for c in num.iter_mut().chain(den.iter_mut().skip(1)) {
-                *c = std::mem::replace(c, F::zero()) / &constant;
+                *c = field.div(c, &constant);
             }
-            den[0] = F::one();
+            den[0] = field.one();
         }
-        polynomial::trim(&mut num, "whether the leading coefficient of the numerator is zero")?;
-        polynomial::trim(&mut den, "whether the leading coefficient of the denominator is zero")?;
-        Ok(Self { num, den })
+        polynomial::trim(field, &mut num, "whether the leading coefficient of the numerator is zero")?;
+        polynomial::trim(field, &mut den, "whether the leading coefficient of the denominator is zero")?;
+        Ok(Self { field: field.clone(), num, den })
+    }
+
+    /// The field of the coefficients.
+    pub fn field(&self) -> &F {
+        &self.field
     }
 
     /// The coefficients of the numerator, constant term first; empty for the zero function.
-    pub fn num(&self) -> &[F] {
+    pub fn num(&self) -> &[F::Number] {
         &self.num
     }
 
     /// The coefficients of the denominator, constant term (which is 1) first.
-    pub fn den(&self) -> &[F] {
+    pub fn den(&self) -> &[F::Number] {
         &self.den
     }
 
@@ -80,21 +87,23 @@ impl<F: RealField> RationalFunction<F> {
     /// # Errors
     ///
     /// [`PadeError::Undecided`] if `Q(x)` is or may be zero.
-    pub fn value(&self, x: &F) -> Result<F, PadeError> {
-        let den = polynomial::evaluate(&self.den, x);
-        match den.zero_test() {
-            ZeroTest::NonZero => Ok(polynomial::evaluate(&self.num, x) / den),
+    pub fn value(&self, x: &F::Number) -> Result<F::Number, PadeError> {
+        let field = &self.field;
+        let den = polynomial::evaluate(field, &self.den, x);
+        match field.zero_test(&den) {
+            ZeroTest::NonZero => Ok(field.div(&polynomial::evaluate(field, &self.num, x), &den)),
             _ => Err(PadeError::Undecided { what: "whether the denominator is zero at the point" }),
         }
     }
 
     /// The first `len` coefficients of the power series at 0, from `Q A = P`.
-    pub fn series(&self, len: usize) -> Vec<F> {
-        let mut out: Vec<F> = Vec::with_capacity(len);
+    pub fn series(&self, len: usize) -> Vec<F::Number> {
+        let field = &self.field;
+        let mut out = Vec::with_capacity(len);
         for n in 0..len {
             let known = self.den.iter().skip(1).zip(out.iter().rev());
-            let sum = known.fold(F::zero(), |sum, (q, a)| sum + q.times(a));
-            out.push(self.num.get(n).cloned().unwrap_or_else(F::zero) - sum);
+            let start = self.num.get(n).cloned().unwrap_or_else(|| field.zero());
+            out.push(known.fold(start, |rest, (q, a)| field.sub(&rest, &field.mul(q, a))));
         }
         out
     }

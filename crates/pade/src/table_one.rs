@@ -1,5 +1,27 @@
-use crate::{PadeError, RationalFunction, RealField};
-use restitution_series::ZeroTest;
+use crate::{PadeError, RationalFunction};
+use restitution_real::{OrderedField, ZeroTest};
+
+/// A polynomial in `a_2`, `a_3`, `a_4` as its terms: a factor and the indices that are multiplied.
+type Terms = &'static [(i64, &'static [usize])];
+
+/// `d_0` and the products `d_k d_0`, multiplied out.
+const CONSTANTS: [Terms; 6] = [
+    &[(1, &[4]), (-2, &[3]), (-1, &[2, 2]), (3, &[2]), (-1, &[])],
+    &[(1, &[]), (-4, &[2]), (3, &[3]), (-2, &[4]), (3, &[2, 2]), (-2, &[2, 3])],
+    &[(1, &[3]), (-1, &[2]), (-2, &[2, 3]), (2, &[2, 2]), (-1, &[4])],
+    &[(1, &[3]), (1, &[2, 2, 2]), (-1, &[2, 2]), (-1, &[2, 4]), (-1, &[4])],
+    &[(1, &[3, 4]), (-1, &[4]), (1, &[2, 2, 3]), (-2, &[3, 3]), (-1, &[2, 2, 2]), (2, &[2, 3])],
+    &[
+        (2, &[3, 4]),
+        (-2, &[2, 3, 3]),
+        (-2, &[2, 4]),
+        (3, &[2, 2, 3]),
+        (-1, &[4, 4]),
+        (2, &[2, 2, 4]),
+        (-1, &[2, 2, 2, 2]),
+        (-1, &[3, 3]),
+    ],
+];
 
 /// Returns the Padé formula (35) from the closed formulas of Table I of \[RPBS1999\].
 ///
@@ -20,25 +42,24 @@ use restitution_series::ZeroTest;
 /// # Errors
 ///
 /// [`PadeError::ClosedFormulaFails`] if `d_0 = 0`, [`PadeError::Undecided`] if a ball leaves that open.
-pub fn table_one<F: RealField>(a2: &F, a3: &F, a4: &F) -> Result<RationalFunction<F>, PadeError> {
-    let one = F::one;
-    let product = |x: F, y: F| x * y;
-    let double = |x: &F| x.clone() + x;
-    let square = |x: &F| x.times(x);
-    let minus = |x: &F, y: &F| x.clone() - y;
-    let d0 = minus(a4, &double(a3)) - square(a2) + double(a2) + a2 - one();
-    let d1 = product(minus(a2, &one()), double(a2) + a2 - double(a3)) + one() - a2 + a3 - double(a4);
-    let d2 = product(minus(a3, a2), one() - double(a2)) - a4;
-    let d3 = product(square(a2), minus(a2, &one())) + a3 - product(a4.clone(), one() + a2);
-    let d4 = product(a4.clone(), minus(a3, &one())) + product(minus(a3, a2), square(a2) - double(a3));
-    let d5 = product(double(&minus(a3, a2)), minus(a4, &a2.times(a3)))
-        - square(&(a4.clone() - square(a2)))
-        - product(a3.clone(), a3.clone() - square(a2));
-    match d0.zero_test() {
+pub fn table_one<F: OrderedField>(
+    field: &F,
+    a2: &F::Number,
+    a3: &F::Number,
+    a4: &F::Number,
+) -> Result<RationalFunction<F>, PadeError> {
+    let coefficient = |k: usize| [a2, a3, a4][k - 2];
+    let [d0, d1, d2, d3, d4, d5] = CONSTANTS.map(|polynomial| {
+        polynomial.iter().fold(field.zero(), |sum, (factor, indices)| {
+            let product = |product, k: &usize| field.mul(&product, coefficient(*k));
+            field.add(&sum, &indices.iter().fold(field.ratio(*factor, 1), product))
+        })
+    });
+    match field.zero_test(&d0) {
         ZeroTest::Zero => Err(PadeError::ClosedFormulaFails),
         ZeroTest::Undecided => {
             Err(PadeError::Undecided { what: "whether d_0 of the closed formulas is zero" })
         }
-        ZeroTest::NonZero => RationalFunction::new(vec![d0.clone(), d1], vec![d0, d2, d3, d4, d5]),
+        ZeroTest::NonZero => RationalFunction::new(field, vec![d0.clone(), d1], vec![d0, d2, d3, d4, d5]),
     }
 }

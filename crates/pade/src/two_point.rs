@@ -1,5 +1,6 @@
 use crate::approximant::solve;
-use crate::{Approximant, PadeError, PadeType, RealField};
+use crate::{Approximant, PadeError, PadeType};
+use restitution_real::{Field, OrderedField};
 
 /// The beginning of an expansion at infinity,
 ///
@@ -10,14 +11,14 @@ use crate::{Approximant, PadeError, PadeType, RealField};
 /// For spheres `eps(u) u^5 -> R^5`, and what is missing falls off faster than any power, so
 /// `b_0 = R^5` and `b_1 = b_2 = ... = 0`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct AtInfinity<F> {
+pub struct AtInfinity<F: Field> {
     decay: usize,
-    coefficients: Vec<F>,
+    coefficients: Vec<F::Number>,
 }
 
-impl<F: RealField> AtInfinity<F> {
+impl<F: Field> AtInfinity<F> {
     /// Returns the expansion with the given `b_0, b_1, ...`: as many conditions as coefficients.
-    pub fn new(decay: usize, coefficients: Vec<F>) -> Self {
+    pub fn new(decay: usize, coefficients: Vec<F::Number>) -> Self {
         Self { decay, coefficients }
     }
 
@@ -33,16 +34,16 @@ impl<F: RealField> AtInfinity<F> {
 
     /// The condition that `x^(L-i)` in `P - (b_0 + b_1/x + ...) Q/x^decay` vanishes, as a row of the
     /// unknowns `q_0, ..., q_M`: `sum_j a_(L-i-j) q_j - sum_(l<=i) b_l q_(M-i+l) = 0`.
-    pub(crate) fn row(&self, series: &[F], asked: PadeType, i: usize) -> Vec<F> {
+    pub(crate) fn row(&self, field: &F, series: &[F::Number], asked: PadeType, i: usize) -> Vec<F::Number> {
         let PadeType { numerator, denominator } = asked;
-        let mut row = vec![F::zero(); denominator + 1];
+        let mut row = vec![field.zero(); denominator + 1];
         if let Some(top) = numerator.checked_sub(i) {
             for (entry, a) in row.iter_mut().zip(series[..=top].iter().rev()) {
                 *entry = a.clone();
             }
         }
         for (entry, b) in row[denominator - i..].iter_mut().zip(&self.coefficients) {
-            *entry = std::mem::replace(entry, F::zero()) - b;
+            *entry = field.sub(entry, b);
         }
         row
     }
@@ -69,18 +70,20 @@ impl<F: RealField> AtInfinity<F> {
 /// ```
 /// use num_rational::BigRational;
 /// use restitution_pade::{AtInfinity, PadeError, PadeType, two_point};
+/// use restitution_real::Rationals;
 ///
 /// let ints = |p: &[i64]| p.iter().map(|&c| BigRational::from_integer(c.into())).collect::<Vec<_>>();
 /// // 1 at 0 and 2/x at infinity: 1/(1 + x/2).
-/// let f = two_point(&ints(&[1]), PadeType::new(0, 1), &AtInfinity::new(1, ints(&[2])))?;
+/// let f = two_point(&Rationals, &ints(&[1]), PadeType::new(0, 1), &AtInfinity::new(1, ints(&[2])))?;
 /// assert_eq!(f.den()[1].to_string(), "1/2");
 ///
-/// let wrong = two_point(&ints(&[1, 1]), PadeType::new(1, 1), &AtInfinity::new(1, ints(&[2])));
+/// let wrong = two_point(&Rationals, &ints(&[1, 1]), PadeType::new(1, 1), &AtInfinity::new(1, ints(&[2])));
 /// assert!(matches!(wrong, Err(PadeError::WrongDecay { decay: 1, .. })));
 /// # Ok::<(), PadeError>(())
 /// ```
-pub fn two_point<F: RealField>(
-    series: &[F],
+pub fn two_point<F: OrderedField>(
+    field: &F,
+    series: &[F::Number],
     asked: PadeType,
     infinity: &AtInfinity<F>,
 ) -> Result<Approximant<F>, PadeError> {
@@ -91,5 +94,5 @@ pub fn two_point<F: RealField>(
     if conditions > limit {
         return Err(PadeError::TooManyConditions { asked, conditions, limit });
     }
-    solve(series, asked, infinity)
+    solve(field, series, asked, infinity)
 }

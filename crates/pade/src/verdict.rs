@@ -1,4 +1,5 @@
-use crate::{Approximant, Interval, PadeError, RealField, sign_changes, zeros};
+use crate::{Approximant, Interval, PadeError, sign_changes, zeros};
+use restitution_real::OrderedField;
 use std::cmp::Ordering;
 use std::fmt;
 
@@ -89,52 +90,55 @@ impl Verdict {
 /// ```
 /// use num_rational::BigRational;
 /// use restitution_pade::{Bounds, Interval, PadeError, PadeType, Trend, approximant, verdict};
+/// use restitution_real::Rationals;
 ///
 /// let ints = |p: &[i64]| p.iter().map(|&c| BigRational::from_integer(c.into())).collect::<Vec<_>>();
 /// let geometric = ints(&[1, -1, 1, -1]);
-/// let good = verdict(&approximant(&geometric, PadeType::new(0, 1))?, &Interval::HalfLine)?; // 1/(1 + x)
+/// let good = verdict(&approximant(&Rationals, &geometric, PadeType::new(0, 1))?, &Interval::HalfLine)?; // 1/(1 + x)
 /// assert_eq!((good.poles, good.zeros, good.trend), (0, Some(0), Trend::Decreasing));
 /// assert_eq!(good.bounds, Bounds::Within);
 ///
-/// let bad = verdict(&approximant(&geometric, PadeType::new(1, 0))?, &Interval::HalfLine)?; // 1 - x
+/// let bad = verdict(&approximant(&Rationals, &geometric, PadeType::new(1, 0))?, &Interval::HalfLine)?; // 1 - x
 /// assert_eq!(bad.bounds, Bounds::NotPositive);
 /// # Ok::<(), PadeError>(())
 /// ```
-pub fn verdict<F: RealField>(
+pub fn verdict<F: OrderedField>(
     approximant: &Approximant<F>,
-    interval: &Interval<F>,
+    interval: &Interval<F::Number>,
 ) -> Result<Verdict, PadeError> {
-    let poles = zeros(approximant.den(), interval)?.unwrap_or(0);
-    let zeros = zeros(approximant.num(), interval)?;
+    let field = approximant.field();
+    let poles = zeros(field, approximant.den(), interval)?.unwrap_or(0);
+    let zeros = zeros(field, approximant.num(), interval)?;
     if poles > 0 {
         return Ok(Verdict { poles, zeros, trend: Trend::Broken, bounds: Bounds::Unbounded });
     }
     let slope = approximant.slope();
-    let trend = match sign_changes(&slope, interval)? {
+    let trend = match sign_changes(field, &slope, interval)? {
         None => Trend::Constant,
-        Some(0) if sign_after_zero(&slope) == Some(Ordering::Less) => Trend::Decreasing,
+        Some(0) if sign_after_zero(field, &slope) == Some(Ordering::Less) => Trend::Decreasing,
         Some(0) => Trend::Increasing,
         Some(turns) => Trend::Turning(turns),
     };
-    let positive = zeros == Some(0) && sign_after_zero(approximant.num()) == Some(Ordering::Greater);
+    let positive = zeros == Some(0) && sign_after_zero(field, approximant.num()) == Some(Ordering::Greater);
     let bounds = if !positive { Bounds::NotPositive } else { upper_bound(approximant, interval)? };
     Ok(Verdict { poles, zeros, trend, bounds })
 }
 
 /// The sign of a polynomial just right of 0, that of its lowest coefficient.
-fn sign_after_zero<F: RealField>(p: &[F]) -> Option<Ordering> {
-    p.iter().map(RealField::sign).find(|sign| *sign != Some(Ordering::Equal)).flatten()
+fn sign_after_zero<F: OrderedField>(field: &F, p: &[F::Number]) -> Option<Ordering> {
+    p.iter().map(|c| field.sign(c)).find(|sign| *sign != Some(Ordering::Equal)).flatten()
 }
 
 /// Whether `P - Q <= 0` on the interval.
-fn upper_bound<F: RealField>(
+fn upper_bound<F: OrderedField>(
     approximant: &Approximant<F>,
-    interval: &Interval<F>,
+    interval: &Interval<F::Number>,
 ) -> Result<Bounds, PadeError> {
-    let excess = approximant.minus(&F::one());
-    let below = match sign_changes(&excess, interval)? {
+    let field = approximant.field();
+    let excess = approximant.minus(&field.one());
+    let below = match sign_changes(field, &excess, interval)? {
         None => true,
-        Some(0) => sign_after_zero(&excess) == Some(Ordering::Less),
+        Some(0) => sign_after_zero(field, &excess) == Some(Ordering::Less),
         Some(_) => false,
     };
     Ok(if below { Bounds::Within } else { Bounds::AboveOne })

@@ -1,13 +1,15 @@
-use crate::{PadeError, RealField, polynomial};
+use crate::polynomial::Polynomial;
+use crate::{PadeError, polynomial};
+use restitution_real::OrderedField;
 use std::cmp::Ordering;
 
 /// Where zeros are counted.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Interval<F> {
+pub enum Interval<N> {
     /// `0 <= x < infinity`.
     HalfLine,
     /// `0 <= x <= end`, with `end > 0`.
-    UpTo(F),
+    UpTo(N),
 }
 
 /// Counts the distinct real zeros of a polynomial on the interval, by Sturm's theorem, or by Descartes'
@@ -30,19 +32,24 @@ pub enum Interval<F> {
 /// ```
 /// use num_rational::BigRational;
 /// use restitution_pade::{Interval, PadeError, zeros};
+/// use restitution_real::Rationals;
 ///
 /// let ints = |p: &[i64]| p.iter().map(|&c| BigRational::from_integer(c.into())).collect::<Vec<_>>();
 /// let cubic = ints(&[6, -5, -2, 1]); // (x - 1)(x + 2)(x - 3)
-/// assert_eq!(zeros(&cubic, &Interval::HalfLine)?, Some(2));
-/// assert_eq!(zeros(&cubic, &Interval::UpTo(ints(&[2])[0].clone()))?, Some(1));
-/// assert_eq!(zeros(&ints(&[0]), &Interval::HalfLine)?, None);
+/// assert_eq!(zeros(&Rationals, &cubic, &Interval::HalfLine)?, Some(2));
+/// assert_eq!(zeros(&Rationals, &cubic, &Interval::UpTo(ints(&[2])[0].clone()))?, Some(1));
+/// assert_eq!(zeros(&Rationals, &ints(&[0]), &Interval::HalfLine)?, None);
 /// # Ok::<(), PadeError>(())
 /// ```
-pub fn zeros<F: RealField>(p: &[F], interval: &Interval<F>) -> Result<Option<usize>, PadeError> {
-    let Some((p, at_zero)) = split_zero(p)? else { return Ok(None) };
-    let away = match by_descartes(&p, interval) {
+pub fn zeros<F: OrderedField>(
+    field: &F,
+    p: &[F::Number],
+    interval: &Interval<F::Number>,
+) -> Result<Option<usize>, PadeError> {
+    let Some((p, at_zero)) = split_zero(field, p)? else { return Ok(None) };
+    let away = match by_descartes(field, &p, interval) {
         Some(count) => count,
-        None => positive_zeros(&sturm_chain(&p)?, interval)?,
+        None => positive_zeros(field, &sturm_chain(field, &p)?, interval)?,
     };
     Ok(Some(away + usize::from(at_zero > 0)))
 }
@@ -59,15 +66,19 @@ pub fn zeros<F: RealField>(p: &[F], interval: &Interval<F>) -> Result<Option<usi
 /// # Errors
 ///
 /// As [`zeros`].
-pub fn sign_changes<F: RealField>(p: &[F], interval: &Interval<F>) -> Result<Option<usize>, PadeError> {
-    let Some((mut p, _)) = split_zero(p)? else { return Ok(None) };
-    if let Some(count) = by_descartes(&p, interval) {
+pub fn sign_changes<F: OrderedField>(
+    field: &F,
+    p: &[F::Number],
+    interval: &Interval<F::Number>,
+) -> Result<Option<usize>, PadeError> {
+    let Some((mut p, _)) = split_zero(field, p)? else { return Ok(None) };
+    if let Some(count) = by_descartes(field, &p, interval) {
         return Ok(Some(count));
     }
     let (mut odd, mut even) = (0, 0);
     while p.len() > 1 {
-        let mut chain = sturm_chain(&p)?;
-        odd += positive_zeros(&chain, interval)?;
+        let mut chain = sturm_chain(field, &p)?;
+        odd += positive_zeros(field, &chain, interval)?;
         p = chain.pop().unwrap_or_default();
         std::mem::swap(&mut odd, &mut even);
     }
@@ -75,22 +86,30 @@ pub fn sign_changes<F: RealField>(p: &[F], interval: &Interval<F>) -> Result<Opt
 }
 
 /// The polynomial without its zeros at 0, trimmed, and how many they were.
-fn split_zero<F: RealField>(p: &[F]) -> Result<Option<(Vec<F>, usize)>, PadeError> {
+fn split_zero<F: OrderedField>(
+    field: &F,
+    p: &[F::Number],
+) -> Result<Option<(Polynomial<F>, usize)>, PadeError> {
     let mut p = p.to_vec();
-    polynomial::trim(&mut p, "whether the leading coefficient of a polynomial is zero")?;
-    let lowest = polynomial::lowest(&p, "whether the lowest coefficient of a polynomial is zero")?;
+    polynomial::trim(field, &mut p, "whether the leading coefficient of a polynomial is zero")?;
+    let lowest = polynomial::lowest(field, &p, "whether the lowest coefficient of a polynomial is zero")?;
     Ok(lowest.map(|shift| (p.split_off(shift), shift)))
 }
 
 /// The number of zeros in `(0, b]` where Descartes' rule of signs decides it: coefficients without a
 /// change of sign have no positive zero, those with one change have one, a simple one.
-fn by_descartes<F: RealField>(p: &[F], interval: &Interval<F>) -> Option<usize> {
-    let changes = variations(p.iter().cloned()).ok()?;
+fn by_descartes<F: OrderedField>(
+    field: &F,
+    p: &[F::Number],
+    interval: &Interval<F::Number>,
+) -> Option<usize> {
+    let changes = variations(field, p).ok()?;
     match (changes, interval) {
         (0, _) => Some(0),
         (1, Interval::HalfLine) => Some(1),
         (1, Interval::UpTo(end)) => {
-            let (start, end) = (p.first()?.sign()?, polynomial::evaluate(p, end).sign()?);
+            let start = field.sign(p.first()?)?;
+            let end = field.sign(&polynomial::evaluate(field, p, end))?;
             Some(usize::from(start != end))
         }
         _ => None,
@@ -98,19 +117,19 @@ fn by_descartes<F: RealField>(p: &[F], interval: &Interval<F>) -> Option<usize> 
 }
 
 /// Sturm's chain, each remainder divided by the size of its leading coefficient.
-fn sturm_chain<F: RealField>(p: &[F]) -> Result<Vec<Vec<F>>, PadeError> {
+fn sturm_chain<F: OrderedField>(field: &F, p: &[F::Number]) -> Result<Vec<Polynomial<F>>, PadeError> {
     let what = "whether a remainder of Sturm's chain is zero";
     let mut chain = vec![p.to_vec()];
-    let mut next = polynomial::derivative(p);
+    let mut next = polynomial::derivative(field, p);
     loop {
-        polynomial::trim(&mut next, what)?;
+        polynomial::trim(field, &mut next, what)?;
         let Some(leading) = next.last() else { return Ok(chain) };
-        let positive = leading.sign() == Some(Ordering::Greater);
-        let size = if positive { leading.clone() } else { -leading.clone() };
-        next = next.into_iter().map(|c| c / &size).collect();
-        let rest = polynomial::divide(&chain[chain.len() - 1], &next).1;
+        let positive = field.sign(leading) == Some(Ordering::Greater);
+        let size = if positive { leading.clone() } else { field.neg(leading) };
+        next = next.iter().map(|c| field.div(c, &size)).collect();
+        let rest = polynomial::divide(field, &chain[chain.len() - 1], &next).1;
         chain.push(next);
-        next = rest.into_iter().map(|c| -c).collect();
+        next = rest.iter().map(|c| field.neg(c)).collect();
     }
 }
 
@@ -118,25 +137,29 @@ fn sturm_chain<F: RealField>(p: &[F]) -> Result<Vec<Vec<F>>, PadeError> {
 ///
 /// Dividing the chain by its last polynomial makes it a chain of simple zeros; that changes `V(0)`
 /// and `V(b)` only where the last polynomial vanishes, which at 0 it does not.
-fn positive_zeros<F: RealField>(chain: &[Vec<F>], interval: &Interval<F>) -> Result<usize, PadeError> {
-    let at_zero = chain.iter().map(|p| p[0].clone());
-    let at_end: Vec<F> = match interval {
+fn positive_zeros<F: OrderedField>(
+    field: &F,
+    chain: &[Polynomial<F>],
+    interval: &Interval<F::Number>,
+) -> Result<usize, PadeError> {
+    let at_zero: Vec<_> = chain.iter().map(|p| p[0].clone()).collect();
+    let at_end: Vec<_> = match interval {
         Interval::HalfLine => chain.iter().map(|p| p[p.len() - 1].clone()).collect(),
         Interval::UpTo(end) => {
             let last = chain[chain.len() - 1].as_slice();
-            let simple = chain.iter().map(|p| polynomial::divide(p, last).0);
-            simple.map(|p| polynomial::evaluate(&p, end)).collect()
+            let simple = chain.iter().map(|p| polynomial::divide(field, p, last).0);
+            simple.map(|p| polynomial::evaluate(field, &p, end)).collect()
         }
     };
-    Ok(variations(at_zero)?.saturating_sub(variations(at_end)?))
+    Ok(variations(field, &at_zero)?.saturating_sub(variations(field, &at_end)?))
 }
 
 /// The number of sign changes, zeros left out.
 ///
 /// Between a positive and a negative value lies one change whatever stands there, so a sign that is
 /// open is needed only where its neighbours agree or at an end.
-fn variations<F: RealField>(values: impl IntoIterator<Item = F>) -> Result<usize, PadeError> {
-    let signs: Vec<_> = values.into_iter().map(|value| value.sign()).collect();
+fn variations<F: OrderedField>(field: &F, values: &[F::Number]) -> Result<usize, PadeError> {
+    let signs: Vec<_> = values.iter().map(|value| field.sign(value)).collect();
     let needed = |i: usize| {
         let neighbours =
             i.checked_sub(1).and_then(|before| signs[before]).zip(*signs.get(i + 1).unwrap_or(&None));
@@ -154,27 +177,28 @@ fn variations<F: RealField>(values: impl IntoIterator<Item = F>) -> Result<usize
 mod tests {
     use super::*;
     use num_rational::BigRational;
+    use restitution_real::Rationals;
 
     fn from_roots(roots: &[i64]) -> Vec<BigRational> {
         let int = |n: i64| BigRational::from_integer(n.into());
-        roots.iter().fold(vec![int(1)], |p, &r| polynomial::product(&p, &[int(-r), int(1)]))
+        roots.iter().fold(vec![int(1)], |p, &r| polynomial::product(&Rationals, &p, &[int(-r), int(1)]))
     }
 
     #[test]
     fn multiple_zeros_count_once_and_change_sign_if_odd() {
         let p = from_roots(&[0, 0, 1, 2, 2, 3, 3, 3, -4, 5, 5, 5, 5]);
-        assert_eq!(zeros(&p, &Interval::HalfLine), Ok(Some(5)));
-        assert_eq!(sign_changes(&p, &Interval::HalfLine), Ok(Some(2)));
+        assert_eq!(zeros(&Rationals, &p, &Interval::HalfLine), Ok(Some(5)));
+        assert_eq!(sign_changes(&Rationals, &p, &Interval::HalfLine), Ok(Some(2)));
         for (end, count, changes) in [(2, 3, 1), (3, 4, 2), (4, 4, 2)] {
             let end = Interval::UpTo(BigRational::from_integer(end.into()));
-            assert_eq!(zeros(&p, &end), Ok(Some(count)));
-            assert_eq!(sign_changes(&p, &end), Ok(Some(changes)));
+            assert_eq!(zeros(&Rationals, &p, &end), Ok(Some(count)));
+            assert_eq!(sign_changes(&Rationals, &p, &end), Ok(Some(changes)));
         }
     }
 
     #[test]
     fn constants_have_no_zeros() {
-        assert_eq!(zeros(&from_roots(&[]), &Interval::HalfLine), Ok(Some(0)));
-        assert_eq!(sign_changes(&from_roots(&[]), &Interval::HalfLine), Ok(Some(0)));
+        assert_eq!(zeros(&Rationals, &from_roots(&[]), &Interval::HalfLine), Ok(Some(0)));
+        assert_eq!(sign_changes(&Rationals, &from_roots(&[]), &Interval::HalfLine), Ok(Some(0)));
     }
 }

@@ -9,8 +9,7 @@ use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// `|(x + y) - (X + Y)| <= rx + ry + rounding`.
-fn add(x: &Ball, y: &Ball) -> Ball {
-    let prec = x.prec().max(y.prec());
+pub(crate) fn add(x: &Ball, y: &Ball, prec: u32) -> Ball {
     let (mid, direction) = Float::with_val_round(prec, &x.mid + &y.mid, Round::Nearest);
     let mut rad = rounding_error(&mid, direction);
     rad.add_assign_round(&x.rad, Round::Up);
@@ -19,8 +18,7 @@ fn add(x: &Ball, y: &Ball) -> Ball {
 }
 
 /// As [`add`], with the sign of `y` turned.
-fn sub(x: &Ball, y: &Ball) -> Ball {
-    let prec = x.prec().max(y.prec());
+pub(crate) fn sub(x: &Ball, y: &Ball, prec: u32) -> Ball {
     let (mid, direction) = Float::with_val_round(prec, &x.mid - &y.mid, Round::Nearest);
     let mut rad = rounding_error(&mid, direction);
     rad.add_assign_round(&x.rad, Round::Up);
@@ -29,8 +27,7 @@ fn sub(x: &Ball, y: &Ball) -> Ball {
 }
 
 /// `|x y - X Y| <= |x| ry + |y| rx + rx ry + rounding`.
-fn mul(x: &Ball, y: &Ball) -> Ball {
-    let prec = x.prec().max(y.prec());
+pub(crate) fn mul(x: &Ball, y: &Ball, prec: u32) -> Ball {
     if !x.is_finite() || !y.is_finite() {
         return Ball::whole_line(prec);
     }
@@ -50,8 +47,7 @@ fn mul(x: &Ball, y: &Ball) -> Ball {
 }
 
 /// `|x/y - X/Y| <= (rx + |x/y| ry)/min|Y| + rounding`; the whole line if `y` contains 0.
-fn div(x: &Ball, y: &Ball) -> Ball {
-    let prec = x.prec().max(y.prec());
+pub(crate) fn div(x: &Ball, y: &Ball, prec: u32) -> Ball {
     if y.contains_zero() || !x.is_finite() {
         return Ball::whole_line(prec);
     }
@@ -71,35 +67,35 @@ macro_rules! field_operation {
         impl $trait<&Ball> for &Ball {
             type Output = Ball;
             fn $method(self, other: &Ball) -> Ball {
-                $function(self, other)
+                $function(self, other, self.prec().max(other.prec()))
             }
         }
         impl $trait<Ball> for Ball {
             type Output = Ball;
             fn $method(self, other: Ball) -> Ball {
-                $function(&self, &other)
+                $function(&self, &other, self.prec().max(other.prec()))
             }
         }
         impl $trait<&Ball> for Ball {
             type Output = Ball;
             fn $method(self, other: &Ball) -> Ball {
-                $function(&self, other)
+                $function(&self, other, self.prec().max(other.prec()))
             }
         }
         impl $trait<Ball> for &Ball {
             type Output = Ball;
             fn $method(self, other: Ball) -> Ball {
-                $function(self, &other)
+                $function(self, &other, self.prec().max(other.prec()))
             }
         }
         impl $assign_trait<&Ball> for Ball {
             fn $assign_method(&mut self, other: &Ball) {
-                *self = $function(self, other);
+                *self = $function(self, other, self.prec().max(other.prec()));
             }
         }
         impl $assign_trait<Ball> for Ball {
             fn $assign_method(&mut self, other: Ball) {
-                *self = $function(self, &other);
+                *self = $function(self, &other, self.prec().max(other.prec()));
             }
         }
     };

@@ -12,11 +12,13 @@ use restitution::tiers::Tier;
 use restitution_direct::{End, saturation_speed};
 use restitution_law::ForceLaw;
 use restitution_pade::{Approximant, AtInfinity, PadeType, approximant, two_point};
-use restitution_real::Ball;
+use restitution_real::{Ball, Balls};
 use restitution_series::{Quantity, coefficients};
 
 /// Digits to which the coefficients behind approximants are proved before they are rounded to f64.
 const DIGITS: usize = 80;
+/// The field they are computed in, with bits to spare.
+const FIELD: Balls = Balls::new(640);
 
 /// What kind of method it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -125,8 +127,8 @@ pub fn all(order: usize) -> Result<Vec<Contestant>, ReportError> {
 fn formula_35(exact: &Exact) -> Result<[Contestant; 3], ReportError> {
     let mut four = exact.series[..5].to_vec();
     four.push(Ball::zero());
-    let without = quotient_of::<2, 5>(&approximant(&four, PadeType::new(1, 4))?)?;
-    let genuine = quotient_of::<2, 5>(&approximant(&exact.series, PadeType::new(1, 4))?)?;
+    let without = quotient_of::<2, 5>(&approximant(&FIELD, &four, PadeType::new(1, 4))?)?;
+    let genuine = quotient_of::<2, 5>(&approximant(&FIELD, &exact.series, PadeType::new(1, 4))?)?;
     let family = Family::Formula35;
     Ok([
         Contestant::new(family, "formula (35) as printed", "printed", |u| formulas::printed_35(SLOPE * u)),
@@ -267,7 +269,7 @@ impl Exact {
         if self.series.len() < asked.conditions() {
             return Ok(None);
         }
-        let kernel = quotient_of::<P, Q>(&approximant(&self.series, asked)?)?;
+        let kernel = quotient_of::<P, Q>(&approximant(&FIELD, &self.series, asked)?)?;
         Ok(Some(Contestant::new(Family::Pade, &format!("Padé {asked}"), &asked.to_string(), kernel)))
     }
 
@@ -277,7 +279,7 @@ impl Exact {
         if self.half_powers.len() < asked.conditions() {
             return Ok(None);
         }
-        let kernel = quotient_of::<P, Q>(&approximant(&self.half_powers, asked)?)?;
+        let kernel = quotient_of::<P, Q>(&approximant(&FIELD, &self.half_powers, asked)?)?;
         let (name, mark) = (format!("Padé {asked} in √u"), format!("{asked}√u"));
         Ok(Some(Contestant::new(Family::Pade, &name, &mark, move |u: f64| kernel(u.sqrt())).at_zero_force()))
     }
@@ -293,7 +295,7 @@ impl Exact {
         }
         let mut law = vec![Ball::zero(); conditions];
         law[0] = self.limit.clone();
-        let kernel = quotient_of::<P, Q>(&two_point(&self.series, asked, &AtInfinity::new(5, law))?)?;
+        let kernel = quotient_of::<P, Q>(&two_point(&FIELD, &self.series, asked, &AtInfinity::new(5, law))?)?;
         let name = format!("two-point Padé {asked}, {conditions} at ∞");
         Ok(Some(Contestant::new(Family::TwoPoint, &name, &format!("{asked}·{conditions}"), kernel)))
     }
@@ -301,7 +303,7 @@ impl Exact {
 
 /// Rounds an approximant to f64, as code that carries its constants does.
 fn quotient_of<const P: usize, const Q: usize>(
-    entry: &Approximant<Ball>,
+    entry: &Approximant<Balls>,
 ) -> Result<impl Fn(f64) -> f64 + Sync + 'static, ReportError> {
     let (num, den) = (rounded::<P>(entry.num()), rounded::<Q>(entry.den()));
     let (Some(num), Some(den)) = (num, den) else {

@@ -9,7 +9,7 @@ use crate::speed::{error_cell, figures};
 use crate::{f64_pade, hard_cases};
 use restitution_law::ForceLaw;
 use restitution_pade::{PadeError, PadeType, approximant};
-use restitution_real::Ball;
+use restitution_real::{Ball, Balls};
 use restitution_series::{Quantity, coefficients};
 use restitution_table::{Cell, Table};
 
@@ -90,7 +90,7 @@ fn pade(effort: &Effort) -> Result<Figure, ReportError> {
     let (mut in_f64, mut in_balls) = (Vec::new(), Vec::new());
     for n in 1..=largest {
         let asked = PadeType::new(n, n);
-        let certified = approximant(&balls, asked)?;
+        let certified = approximant(&Balls::new(BITS), &balls, asked)?;
         let exact = certified.num().iter().chain(certified.den());
         let ball_loss = exact.clone().map(digits_lost).fold(0.0, f64::max);
         let found = f64_pade::approximant(&floats, n, n);

@@ -7,7 +7,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use restitution_direct::{Collision, End, saturation_speed};
 use restitution_law::ForceLaw;
 use restitution_pade::{AtInfinity, Sample};
-use restitution_real::Ball;
+use restitution_real::{Ball, Balls};
 use restitution_series::{DelayedRecovery, Quantity, coefficients};
 use std::collections::HashMap;
 use std::sync::Mutex;
@@ -121,7 +121,7 @@ impl Expansion {
     }
 
     /// The first `conditions` terms of the expansion at infinity, `eps = (exit speed)/u^(1/p)` and nothing more.
-    pub fn at_infinity(&self, conditions: usize, bits: u32) -> Result<AtInfinity<Ball>, CliError> {
+    pub fn at_infinity(&self, conditions: usize, bits: u32) -> Result<AtInfinity<Balls>, CliError> {
         let digits = (f64::from(bits) * std::f64::consts::LOG10_2).ceil() as usize;
         let mut leading = self.saturation(digits)?;
         let decay = self.decay()?;

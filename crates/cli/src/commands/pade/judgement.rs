@@ -8,7 +8,7 @@ use restitution_pade::{
     Approximant, Interval, PadeError, PadeType, RationalFunction, Reach, Verdict, WorstError, approximant,
     grid, largest_error, largest_reach, two_point, verdict, with_precision,
 };
-use restitution_real::Ball;
+use restitution_real::{Ball, Balls};
 use rug::Float;
 use rug::float::Round;
 
@@ -38,7 +38,7 @@ pub struct Request {
 #[derive(Debug)]
 pub struct Judged {
     /// The approximant.
-    pub approximant: Approximant<Ball>,
+    pub approximant: Approximant<Balls>,
     /// Its verdict on the half-line.
     pub verdict: Verdict,
 }
@@ -61,9 +61,9 @@ pub fn judge(expansion: &Expansion, request: &Request) -> Result<Judged, CliErro
         let series = expansion.coefficients(count, bits)?;
         let found = if request.at_infinity > 0 {
             let infinity = expansion.at_infinity(request.at_infinity, bits)?;
-            two_point(&series, request.asked, &infinity)
+            two_point(&Balls::new(bits), &series, request.asked, &infinity)
         } else {
-            approximant(&series, request.asked)
+            approximant(&Balls::new(bits), &series, request.asked)
         };
         Ok(found.and_then(|approximant| {
             constants(approximant.function(), request.digits)?;
@@ -81,7 +81,7 @@ pub type Constant = (&'static str, usize, String);
 /// # Errors
 ///
 /// [`PadeError::Undecided`] if a ball does not prove the digits.
-pub fn constants(function: &RationalFunction<Ball>, digits: usize) -> Result<Vec<Constant>, PadeError> {
+pub fn constants(function: &RationalFunction<Balls>, digits: usize) -> Result<Vec<Constant>, PadeError> {
     let parts = [("num", function.num()), ("den", function.den())];
     let all = parts.into_iter().flat_map(|(part, p)| p.iter().enumerate().map(move |(k, c)| (part, k, c)));
     let undecided = PadeError::Undecided { what: "the last digit of a constant" };
@@ -108,7 +108,7 @@ impl From<PadeError> for CliError {
 /// The largest relative error on the range of the request.
 pub fn error_on_range(
     expansion: &Expansion,
-    approximant: &Approximant<Ball>,
+    approximant: &Approximant<Balls>,
     range: &(BigRational, BigRational),
 ) -> Result<WorstError, CliError> {
     let points = grid(&range.0, &range.1, GRID)?;

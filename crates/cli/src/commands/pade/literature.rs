@@ -7,7 +7,7 @@ use crate::{Cell, CliError, Table};
 use num_rational::BigRational;
 use restitution_law::ForceLaw;
 use restitution_pade::{PadeType, RationalFunction, table_one, with_precision};
-use restitution_real::Ball;
+use restitution_real::{Ball, Balls, Rationals};
 
 /// Table I of \[RPBS1999\]: d_1, then d_2 to d_5.
 const TABLE_ONE: [&[&str]; 2] = [&["1", "2.5839"], &["1", "3.5839", "2.9839", "1.1487", "0.3265"]];
@@ -53,10 +53,11 @@ fn push(table: &mut Table, work: &str, what: &str, printed: [&[&str]; 2], rows: 
 fn as_printed(digits: usize) -> Result<Vec<Constant>, CliError> {
     let millionths = |n: i64| BigRational::new(n.into(), 1_000_000.into());
     let three_fifths = BigRational::new(3.into(), 5.into());
-    let closed = table_one(&three_fifths, &millionths(PRINTED_A3), &millionths(PRINTED_A4))?;
+    let closed = table_one(&Rationals, &three_fifths, &millionths(PRINTED_A3), &millionths(PRINTED_A4))?;
     let bits = u32::try_from(digits.saturating_mul(4)).unwrap_or(u32::MAX / 8).saturating_add(64);
     let enclose = |p: &[BigRational]| p.iter().map(|c| Ball::from_rational(c, bits)).collect();
-    Ok(constants(&RationalFunction::new(enclose(closed.num()), enclose(closed.den()))?, digits)?)
+    let enclosed = RationalFunction::new(&Balls::new(bits), enclose(closed.num()), enclose(closed.den()))?;
+    Ok(constants(&enclosed, digits)?)
 }
 
 /// Table I with the right a_3 and a_4, and a_5 = 0 as before.
@@ -66,7 +67,7 @@ fn without_a5(in_s: &Expansion, digits: usize) -> Result<Vec<Constant>, CliError
         let series = in_s.coefficients(5, bits)?;
         let (a3, a4) = (-series[3].clone(), &series[4]);
         let three_fifths = Ball::from_ratio(3, 5, bits);
-        Ok(table_one(&three_fifths, &a3, a4).and_then(|closed| constants(&closed, digits)))
+        Ok(table_one(&Balls::new(bits), &three_fifths, &a3, a4).and_then(|closed| constants(&closed, digits)))
     })
 }
 

@@ -7,7 +7,7 @@ use crate::{Cell, CliError, Table};
 use restitution_pade::{
     Approximant, Interval, PadeError, PadeType, Verdict, approximant, verdict, with_precision,
 };
-use restitution_real::Ball;
+use restitution_real::{Ball, Balls};
 use std::collections::HashMap;
 
 /// How often the precision may double for one entry.
@@ -61,7 +61,7 @@ fn row(
     ]))
 }
 
-type Found = (Approximant<Ball>, Verdict);
+type Found = (Approximant<Balls>, Verdict);
 
 /// One entry; the outer error is about the approximant, the inner one about its coefficients.
 fn find(
@@ -79,7 +79,7 @@ fn find(
                 Err(error) => return Ok(Ok(Err(error))),
             },
         };
-        Ok(approximant(known, asked)
+        Ok(approximant(&Balls::new(bits), known, asked)
             .and_then(|entry| verdict(&entry, &Interval::HalfLine).map(|verdict| Ok((entry, verdict)))))
     })
 }

@@ -20,7 +20,7 @@ use restitution_pade::{
     Approximant, AtInfinity, Interval, PadeError, PadeType, WorstError, approximant, grid, largest_error,
     relative_error, two_point, verdict,
 };
-use restitution_real::Ball;
+use restitution_real::{Ball, Balls, Field};
 use rug::Float;
 
 /// The error levels `10^-k` that are asked for.
@@ -191,23 +191,24 @@ impl Search {
         Ok(reached)
     }
 
-    fn approximant(&self, candidate: Candidate) -> Result<Approximant<Ball>, PadeError> {
+    fn approximant(&self, candidate: Candidate) -> Result<Approximant<Balls>, PadeError> {
         let Candidate { asked, at_infinity } = candidate;
         let bits = first_bits(asked, 40).min(BITS);
+        let field = Balls::new(bits);
         let needed = asked.conditions() - at_infinity;
         let series: Vec<_> = self.series[..needed].iter().map(|c| c.with_prec(bits)).collect();
         match &self.saturation {
             Some(limit) if at_infinity > 0 => {
-                let mut conditions = vec![restitution_series::Field::ratio(limit, 0, 1); at_infinity];
+                let mut conditions = vec![field.zero(); at_infinity];
                 conditions[0] = limit.with_prec(bits);
-                two_point(&series, asked, &AtInfinity::new(5, conditions))
+                two_point(&field, &series, asked, &AtInfinity::new(5, conditions))
             }
-            _ => approximant(&series, asked),
+            _ => approximant(&field, &series, asked),
         }
     }
 
     /// The largest error on the range of a goal if it reaches the level there and is sound.
-    fn reaches(&self, entry: &Approximant<Ball>, goal: &Goal) -> Result<Option<WorstError>, CliError> {
+    fn reaches(&self, entry: &Approximant<Balls>, goal: &Goal) -> Result<Option<WorstError>, CliError> {
         let function = entry.function();
         let allowed = Float::with_val(64, goal.level.to_f64().unwrap_or(0.0));
         for u in goal.points.iter().rev() {
@@ -232,7 +233,7 @@ impl Search {
     }
 
     /// `|p_L/(q_M R^5) - 1|` if the degrees fall off as `eps` does.
-    fn error_at_infinity(&self, entry: &Approximant<Ball>) -> Option<Ball> {
+    fn error_at_infinity(&self, entry: &Approximant<Balls>) -> Option<Ball> {
         let (num, den) = (entry.num(), entry.den());
         let limit = self.saturation.as_ref().filter(|_| num.len() + 5 == den.len())?;
         Some((num.last()? / den.last()? / limit - Ball::from_integer(1, 64)).abs())
