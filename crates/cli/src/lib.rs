@@ -13,10 +13,10 @@ pub mod list;
 pub mod memory;
 pub mod output;
 pub mod progress;
-pub mod units;
 
 pub use commands::run;
 pub use error::CliError;
 pub use output::OutputArgs;
 pub use restitution_law::exact;
 pub use restitution_table::{Cell, Table};
+pub use restitution_units as units;

@@ -1,13 +1,17 @@
-//! Units of measurement as people spell them, with their exact size in SI units.
+//! Quantities with units as people spell them, exactly in SI units: `0.32cm/s`, `5 mm`, `9.1 GPa`.
 //!
 //! `m/s`, `m s-1`, `m·s⁻¹` and `m s^-1` are one unit, `ft/min` and `in/s` are made of their parts; what is not a unit,
 //! or one of another kind, is refused.
 
 mod dimension;
+mod quantity;
 mod spelling;
 mod symbols;
 
 pub use dimension::Dimension;
+pub use quantity::{
+    Quantity, UnitError, acceleration, all_or_none, density, length, mass, modulus, time, velocity, viscosity,
+};
 
 use num_rational::BigRational;
 

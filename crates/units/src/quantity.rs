@@ -1,9 +1,9 @@
 //! Quantities with units: `0.32cm/s`, `5 mm`, `9.1 GPa`; a bare number is SI.
 
-use crate::exact::{Exact, NumberError};
+use crate::{Dimension, dimension_of, size};
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
-pub use restitution_units::Dimension;
+use restitution_law::exact::{Exact, NumberError};
 use std::fmt;
 
 /// Why a text is not the quantity that was asked for.
@@ -46,7 +46,7 @@ pub enum UnitError {
 /// # Examples
 ///
 /// ```
-/// use restitution_cli::units::{Dimension, Quantity, UnitError};
+/// use restitution_units::{Dimension, Quantity, UnitError};
 ///
 /// let g = Quantity::parse("0.32cm/s", Dimension::Velocity)?;
 /// assert_eq!(g.si().to_string(), "2/625");
@@ -73,16 +73,16 @@ impl Quantity {
     pub fn parse(text: &str, wanted: Dimension) -> Result<Self, UnitError> {
         let text = text.trim();
         let (number, symbol) = split(text);
-        let size = match symbol {
+        let unit_size = match symbol {
             "" => BigRational::one(),
-            _ => restitution_units::size(symbol, wanted).ok_or_else(|| not_a_unit(text, symbol, wanted))?,
+            _ => size(symbol, wanted).ok_or_else(|| not_a_unit(text, symbol, wanted))?,
         };
         let number: Exact = number.parse().map_err(|error| match error {
             NumberError::NotANumber { .. } => NumberError::NotANumber { text: text.to_owned() },
             other => other,
         })?;
         let unit = (!symbol.is_empty()).then(|| symbol.to_owned());
-        Ok(Self { text: text.to_owned(), unit, si: number.value() * &size, size })
+        Ok(Self { text: text.to_owned(), unit, si: number.value() * &unit_size, size: unit_size })
     }
 
     /// The value in SI units.
@@ -166,7 +166,7 @@ fn split(text: &str) -> (&str, &str) {
 }
 
 fn not_a_unit(text: &str, symbol: &str, wanted: Dimension) -> UnitError {
-    match restitution_units::dimension_of(symbol) {
+    match dimension_of(symbol) {
         Some(given) => UnitError::WrongDimension { text: text.to_owned(), given, wanted },
         None if text == symbol => NumberError::NotANumber { text: text.to_owned() }.into(),
         None => UnitError::UnknownUnit { unit: symbol.to_owned(), wanted },
