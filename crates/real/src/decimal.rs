@@ -31,6 +31,30 @@ impl Ball {
         proved.then(|| layout(&low, digits))
     }
 
+    /// Returns the proved digits as [`Ball::to_digits`] does, and how far the true value is from them at most.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution_real::Ball;
+    ///
+    /// let third = Ball::from_ratio(1, 3, 64);
+    /// let (digits, radius) = third.to_digits_and_radius(10).unwrap();
+    /// assert_eq!((digits.as_str(), radius.as_str()), ("0.3333333333", "3.4e-11"));
+    ///
+    /// assert_eq!(third.to_digits_and_radius(30), None); // 64 bits prove 19 digits
+    /// ```
+    pub fn to_digits_and_radius(&self, digits: usize) -> Option<(String, String)> {
+        let shown = self.to_digits(digits)?;
+        let text = Float::parse(&shown).ok()?;
+        let (number, ordering) = Float::with_val_round(self.prec() + 64, text, Round::Nearest);
+        let ulp = Float::with_val(64, number.clone().abs() >> (self.prec() + 63));
+        let rounding = if ordering.is_eq() { Float::new(64) } else { ulp };
+        let difference = Self::new(number, &rounding) - self;
+        let radius = Self::new(Float::new(64), &difference.abs_up()).radius_text();
+        Some((shown, radius))
+    }
+
     /// Whether the radius is below a 2^-30th of half a unit of the last of `digits` digits.
     fn is_at_a_tie(&self, digits: usize) -> bool {
         // A unit of the last digit is more than 10^-digits of the value, 10 < 2^(10/3).

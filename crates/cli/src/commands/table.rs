@@ -7,8 +7,6 @@ use num_rational::BigRational;
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use restitution_series::{DelayedRecovery, coefficients_watched};
-use rug::Float;
-use rug::float::Round;
 
 /// Arguments of `restitution table`.
 #[derive(Debug, clap::Args)]
@@ -159,7 +157,9 @@ impl TableArgs {
         let watch = &mut |k: usize| progress.set(k as u64);
         let values = coefficients_watched(family, &self.law.law, self.order, self.digits, watch)?;
         let row = |(k, value): (usize, &Ball)| {
-            let (shown, radius) = certified(value, self.digits)?;
+            let unproved =
+                || CliError::failure(format!("{} digits could not be proved: ask for fewer", self.digits));
+            let (shown, radius) = value.to_digits_and_radius(self.digits).ok_or_else(unproved)?;
             Ok([k.into(), Cell::Digits(shown), Cell::Digits(radius)])
         };
         values.iter().enumerate().skip(quantity.first()).map(row).collect()
@@ -171,19 +171,6 @@ fn title(law: &ForceLaw) -> String {
         return "Viscoelastic spheres, x'' + u sqrt(x) x' + x^(3/2) = 0".to_owned();
     }
     format!("Force law x'' + u x^({}) x' + x^({}) = 0", law.gamma(), law.a())
-}
-
-/// Returns the value with its digits, and how far the true value is from what is shown, at most.
-fn certified(value: &Ball, digits: usize) -> Result<(String, String), CliError> {
-    let unproved = || CliError::failure(format!("{digits} digits could not be proved: ask for fewer"));
-    let shown = value.to_digits(digits).ok_or_else(unproved)?;
-    let text = Float::parse(&shown).map_err(CliError::failure)?;
-    let (number, ordering) = Float::with_val_round(value.prec() + 64, text, Round::Nearest);
-    let ulp = Float::with_val(64, number.clone().abs() >> (value.prec() + 63));
-    let rounding = if ordering.is_eq() { Float::new(64) } else { ulp };
-    let difference = Ball::new(number, &rounding) - value;
-    let radius = Ball::new(Float::new(64), &difference.abs_up()).radius_text();
-    Ok((shown, radius))
 }
 
 /// Bytes at the peak: each trajectory, its powers and sums in balls of the working precision, and the
