@@ -2,8 +2,8 @@
 
 use crate::error::DirectError;
 use crate::field::Field;
-use crate::fixed::{BOUND_BITS, upper_bound};
-use crate::phase_arc::{PhaseArc, PhasePoint, zero};
+use crate::fixed::{BOUND_BITS, upper_bound, zero};
+use crate::phase_arc::{PhaseArc, PhasePoint};
 use crate::stepper::Stepper;
 use num_rational::BigRational;
 use num_traits::One;
@@ -19,11 +19,10 @@ pub(crate) fn compress(field: &Field, stepper: &mut Stepper) -> Result<PhasePoin
     let u = field.u.to_f64();
     let b = ratio(&field.coordinate.damping);
     let reach = (b / (u * ratio(&field.coordinate.q)).max(1e-300)).powf(1.0 / b).min(1.0);
-    stepper.start_with(if point.z.is_zero() { 0.25 * reach } else { 0.2 * point.z.to_f64() });
+    stepper.start_with(if point.z.is_zero() { 0.25 * reach } else { 0.2 * logarithm(&point.z).abs() });
     while point.v > SLOW {
-        let limit = if field.coordinate.crosses_zero() { f64::INFINITY } else { point.z.to_f64() / 2.0 };
-        point = stepper.step(limit, |length| {
-            let end = Float::with_val(field.prec, &point.z + length);
+        point = stepper.step(f64::INFINITY, |length| {
+            let end = field.coordinate.advance(&point.z, length);
             PhaseArc::follow(field, &point, &end).map(|arc| (arc.reached, arc.slope))
         })?;
     }
@@ -48,10 +47,22 @@ fn impact(field: &Field) -> PhasePoint {
 }
 
 /// A coordinate so small that the neglected part of `v` is below the working precision.
+///
+/// The neglected part of `v^2` is about `z^A` times what has fallen, `z^min(A,B)`.
 pub(crate) fn near_zero(field: &Field) -> Float {
-    let a = ratio(&field.coordinate.elastic);
-    let bits = f64::from(field.prec) / (a + 1.0);
-    Float::with_val(field.prec, (-bits).exp2())
+    let c = &field.coordinate;
+    let bits = f64::from(field.prec) / ratio(&(&c.elastic + c.elastic.clone().min(c.damping.clone())));
+    two_to_the(-bits, field.prec)
+}
+
+/// `2^exponent`, about, for any exponent.
+pub(crate) fn two_to_the(exponent: f64, prec: u32) -> Float {
+    Float::with_val(prec, Float::with_val(53, exponent).exp2())
+}
+
+/// `ln z`, about, for a `z` of any size.
+pub(crate) fn logarithm(z: &Float) -> f64 {
+    Float::with_val(53, z.ln_ref()).to_f64()
 }
 
 /// `2 Int_0^z q z^(A-1) (fallen speed) dz`, a bound of the energy's error of the first-order solution.

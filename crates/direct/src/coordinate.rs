@@ -1,11 +1,14 @@
-use crate::phase_arc::LARGEST_DEGREE;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
 use restitution_law::ForceLaw;
+use rug::Float;
 
 /// Largest exponent for which the phase plane is expanded in a coordinate analytic at `x = 0`.
 const LARGEST_POWER: i64 = 12;
+
+/// The largest degree that is expanded to its end.
+const LARGEST_DEGREE: i64 = 32;
 
 /// The coordinate `z` of the phase plane, `x = z^q`.
 ///
@@ -15,7 +18,8 @@ const LARGEST_POWER: i64 = 12;
 ///
 /// Only `B/A = (gamma + 1)/(a + 1)` belongs to the law; `q` is free. In lowest terms `B/A` makes the
 /// right side a polynomial: `z = sqrt(x)`, `A = 5`, `B = 3` for spheres. Where these are large the
-/// choice is `B = 1` and `z = 0` is a branch point, which is then approached but not crossed.
+/// choice is `B = 1` and `z = 0` is a branch point, which is then approached in steps of `ln z` but not
+/// crossed.
 #[derive(Clone, Debug)]
 pub(crate) struct Coordinate {
     pub(crate) q: BigRational,
@@ -38,6 +42,14 @@ impl Coordinate {
     /// Whether `v(z)` is analytic at `z = 0`, and of low enough degree to be expanded there.
     pub(crate) fn crosses_zero(&self) -> bool {
         self.elastic.is_integer() && self.elastic <= BigRational::from_integer(LARGEST_DEGREE.into())
+    }
+
+    /// The coordinate a step of `length` further, in `z` itself or, beside a branch point, in `ln z`.
+    pub(crate) fn advance(&self, z: &Float, length: f64) -> Float {
+        if self.crosses_zero() {
+            return Float::with_val(z.prec(), z + length);
+        }
+        z * Float::with_val(53, length).exp()
     }
 
     /// `A - B = q (a - gamma)`: the zero-force curve is `z^(A-B) = -u v`.

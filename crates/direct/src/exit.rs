@@ -1,6 +1,6 @@
 //! The way out, in the coordinate `z`: to zero compression or to the zero of the force.
 
-use crate::compression::{first_order_defect, near_zero, ratio};
+use crate::compression::{first_order_defect, near_zero, ratio, two_to_the};
 use crate::error::DirectError;
 use crate::field::Field;
 use crate::fixed::upper_bound;
@@ -49,7 +49,13 @@ pub(crate) fn to_zero_force(
         if let Some(speed) = none_left(field, &point, &settled) {
             return Ok(speed);
         }
-        let last = if point.z > settled { settled.clone() } else { Float::new(field.prec) };
+        let last = if point.z > settled {
+            settled.clone()
+        } else if field.coordinate.crosses_zero() {
+            Float::new(field.prec)
+        } else {
+            Float::with_val(field.prec, &point.z / 2u32)
+        };
         let arc = arc_outward(field, stepper, &point, &last)?;
         match locate(field, &arc) {
             ForceZero::Passed(speed) => return Ok(speed),
@@ -60,12 +66,8 @@ pub(crate) fn to_zero_force(
 
 /// A coordinate from which on the elastic energy, `2 q z^A/A` of `v^2`, is below the working precision.
 fn settled(field: &Field) -> Float {
-    let bits = f64::from(field.prec + 2) / ratio(&field.coordinate.elastic);
-    Float::with_val(field.prec, (-bits).exp2().max(SMALLEST))
+    two_to_the(-f64::from(field.prec + 2) / ratio(&field.coordinate.elastic), field.prec)
 }
-
-/// The least coordinate that the lengths of steps, doubles, can still reach.
-const SMALLEST: f64 = 1e-290;
 
 /// One arc towards `z = 0`, not beyond `last`.
 fn arc_outward(
@@ -74,11 +76,11 @@ fn arc_outward(
     point: &PhasePoint,
     last: &Float,
 ) -> Result<PhaseArc, DirectError> {
-    let z = point.z.to_f64();
-    let limit = if field.coordinate.crosses_zero() { z } else { z / 2.0 };
+    let crosses = field.coordinate.crosses_zero();
+    let limit = if crosses { point.z.to_f64() } else { f64::INFINITY };
     stepper.step(limit, |length| {
-        let mut end = Float::with_val(field.prec, &point.z - length);
-        if end < *last || length >= z {
+        let mut end = field.coordinate.advance(&point.z, -length);
+        if end < *last || (crosses && length >= limit) {
             end.clone_from(last);
         }
         PhaseArc::follow(field, point, &end).map(|arc| {

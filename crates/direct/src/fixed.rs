@@ -10,6 +10,11 @@ use rug::{Float, Integer};
 /// Bits of an upper bound.
 pub(crate) const BOUND_BITS: u32 = 64;
 
+/// The bound 0.
+pub(crate) fn zero() -> Ball {
+    Ball::exact(Float::new(BOUND_BITS))
+}
+
 /// Rounds a ball to a multiple of `2^-bits` and adds the largest possible difference to `error`.
 ///
 /// An infinite ball makes `error` infinite.
@@ -30,6 +35,13 @@ pub(crate) fn to_fixed(ball: &Ball, bits: u32, error: &mut Ball) -> Integer {
             Integer::new()
         }
     }
+}
+
+/// Rounds to fixed point where nothing may be lost; `None` if something would be.
+pub(crate) fn exact_fixed(ball: &Ball, bits: u32) -> Option<Integer> {
+    let mut lost = zero();
+    let value = to_fixed(ball, bits, &mut lost);
+    (lost.is_exact() && lost.mid().is_zero()).then_some(value)
 }
 
 /// The number `value * 2^-bits`, rounded to `prec` bits.

@@ -17,11 +17,13 @@ mod field;
 mod fixed;
 mod overdamping;
 mod phase_arc;
+mod phase_sides;
 mod precision;
 mod saturation;
 mod stepper;
 mod turning;
 mod turning_arc;
+mod turning_point;
 mod turning_series;
 mod zero_force;
 

@@ -2,10 +2,10 @@
 
 use crate::envelope::{Envelope, upper_half};
 use crate::field::Field;
-use crate::fixed::{BOUND_BITS, from_fixed, lower_bound, power_of_two, size, to_fixed, unit, upper_bound};
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
+use crate::fixed::{
+    BOUND_BITS, from_fixed, lower_bound, power_of_two, size, to_fixed, unit, upper_bound, zero,
+};
+use crate::phase_sides::Sides;
 use restitution_real::Ball;
 use rug::{Float, Integer};
 
@@ -115,18 +115,31 @@ impl PhaseArc {
         })
     }
 
+    /// The coordinate at the part `theta` of the step.
+    pub(crate) fn coordinate(&self, field: &Field, theta: &Ball) -> Ball {
+        let exact = |z: &Float| Ball::exact(z.clone()).with_prec(field.prec);
+        let (start, end) = (exact(&self.start), exact(&self.end));
+        if field.coordinate.crosses_zero() {
+            return &start + (end - &start) * theta;
+        }
+        &start * ((end / &start).ln() * theta).exp()
+    }
+
+    /// `dz/dtheta` where the coordinate is `z`.
+    pub(crate) fn pace(&self, field: &Field, z: &Ball) -> Ball {
+        let exact = |z: &Float| Ball::exact(z.clone()).with_prec(field.prec);
+        let (start, end) = (exact(&self.start), exact(&self.end));
+        if field.coordinate.crosses_zero() { end - start } else { (end / start).ln() * z }
+    }
+
     /// The true velocity at the part `theta` of the step.
     pub(crate) fn velocity(&self, theta: &Ball) -> Ball {
-        let mut sum = Ball::zero();
+        let mut sum = zero();
         for c in self.coefficients.iter().rev() {
             sum = sum * theta + from_fixed(c, self.bits, self.bits + 16);
         }
         velocity_near(&sum.shifted(i32::try_from(self.scale).unwrap_or(0)), &self.energy)
     }
-}
-
-pub(crate) fn zero() -> Ball {
-    Ball::exact(Float::new(BOUND_BITS))
 }
 
 /// Bounds of `|P|` from below and above on `0 <= theta <= 1`: those of its chord, less or more the bend.
@@ -141,129 +154,6 @@ fn extremes(coefficients: &[Integer], bits: u32) -> (Ball, Ball) {
 /// Whether the cut-off costs no more than a dozen bits of the working precision.
 pub(crate) fn lower_is_within(tail: &Ball, bits: u32) -> bool {
     tail.is_finite() && !(tail - power_of_two(14 - i64::from(bits))).is_positive()
-}
-
-/// Both sides of `v v' = -(elastic + damping v)` as polynomials in `theta`, in units of the scale.
-struct Sides {
-    elastic: Vec<Integer>,
-    damping: Vec<Integer>,
-    /// Bound of `Int |error|` of each.
-    elastic_error: Ball,
-    damping_error: Ball,
-    /// `2 q u |z_1^B - z_0^B|/B` in units of the scale.
-    friction: Ball,
-}
-
-impl Sides {
-    /// Expands `h q z^(A-1)` and `h q u z^(B-1)` about `z_0`.
-    fn expand(field: &Field, z0: &Float, z1: &Float, scale: i64) -> Option<Self> {
-        let c = &field.coordinate;
-        let exact = |z: &Float| Ball::exact(z.clone()).with_prec(field.prec);
-        let (from, to) = (Ball::exact(z0.clone()), Ball::exact(z1.clone()));
-        let h = (&to - &from).with_prec(field.prec);
-        let shift = |n: i64| i32::try_from(n).ok();
-        let front = &h * field.rational(&c.q);
-        let elastic = powers(&c.elastic, &exact(z0), &h, field)?.times(&front.shifted(shift(-2 * scale)?));
-        let damping =
-            powers(&c.damping, &exact(z0), &h, field)?.times(&(&front * &field.u).shifted(shift(-scale)?));
-        let (mut elastic_error, mut damping_error) = (elastic.tail, damping.tail);
-        let fix = |balls: &[Ball], error: &mut Ball| -> Vec<Integer> {
-            balls.iter().map(|b| to_fixed(b, field.prec, error)).collect()
-        };
-        let elastic = fix(&elastic.terms, &mut elastic_error);
-        let damping: Vec<Integer> = fix(&damping.terms, &mut damping_error);
-        let span = (exact(z1).pow(&c.damping) - exact(z0).pow(&c.damping)).abs();
-        let work = span * &field.u * field.rational(&(&c.q / &c.damping)).shifted(shift(1 - scale)?);
-        let friction = lower_bound(&work).with_prec(BOUND_BITS);
-        let friction = if friction.is_positive() { friction } else { zero() };
-        Some(Self { elastic, damping, elastic_error, damping_error, friction })
-    }
-
-    /// The degrees `>= order` of `damping * P` and of `elastic`, integrated and doubled.
-    fn overflow(&self, coefficients: &[Integer], bits: u32) -> Ball {
-        let order = coefficients.len() - 1;
-        let mut sum = zero();
-        for j in 1..self.damping.len() {
-            let first = (order - j).min(order);
-            let part = size(&coefficients[first..], bits) * size(&self.damping[j..=j], bits);
-            sum += part;
-        }
-        if self.elastic.len() > order {
-            sum += size(&self.elastic[order..], bits);
-        }
-        sum
-    }
-
-    /// `exp(-Int 2 h q u z^(B-1)/(|v| + |P|))`, an upper bound of how much the error's energy keeps.
-    fn decay(&self, fastest: &Ball, energy: &Ball) -> Ball {
-        let fastest = fastest + upper_bound(&(fastest * fastest + energy).sqrt());
-        upper_bound(&(-(&self.friction / fastest)).exp())
-    }
-}
-
-/// The binomial series of `(z_0 + h theta)^(n-1)`.
-struct Powers {
-    terms: Vec<Ball>,
-    /// Bound of the sum of the terms left out.
-    tail: Ball,
-}
-
-impl Powers {
-    fn times(mut self, factor: &Ball) -> Self {
-        for term in &mut self.terms {
-            *term = &*term * factor;
-        }
-        self.tail = upper_bound(&(self.tail * factor.abs()));
-        self
-    }
-}
-
-/// The largest degree that is expanded to its end.
-pub(crate) const LARGEST_DEGREE: i64 = 32;
-
-fn powers(n: &BigRational, z: &Ball, h: &Ball, field: &Field) -> Option<Powers> {
-    let exponent = n - BigRational::one();
-    let short = exponent < BigRational::from_integer(LARGEST_DEGREE.into());
-    if exponent.is_integer() && short {
-        return Some(Powers { terms: polynomial(exponent.to_integer().to_i64()?, z, h), tail: zero() });
-    }
-    branch(&exponent, z, h, field)
-}
-
-/// `Binomial(m, j) z^(m-j) h^j` for an integer `m >= 0`.
-fn polynomial(m: i64, z: &Ball, h: &Ball) -> Vec<Ball> {
-    let mut binomial = Integer::from(1);
-    (0..=m)
-        .map(|j| {
-            let term = z.powi(m - j) * h.powi(j) * Ball::from_big_integer(&binomial, z.prec());
-            binomial *= m - j;
-            binomial /= j + 1;
-            term
-        })
-        .collect()
-}
-
-/// The same for any exponent, cut off at the order.
-///
-/// From `j = order` on the ratio of terms is at most `|h/z| max(1, (m - order)/(order + 1))`.
-fn branch(m: &BigRational, z: &Ball, h: &Ball, field: &Field) -> Option<Powers> {
-    let ratio = h / z;
-    let mut term = z.pow(m);
-    let mut terms = Vec::with_capacity(field.order);
-    for j in 0..field.order {
-        terms.push(term.clone());
-        let j = BigInt::from(j);
-        let factor = (m - BigRational::from_integer(j.clone())) / BigRational::from_integer(j + 1);
-        term = term * &ratio * field.rational(&factor);
-    }
-    let order = BigRational::from_integer(field.order.into());
-    let growth = ((m - &order) / (order + BigRational::one())).max(BigRational::one());
-    let ratio = upper_bound(&(ratio.abs() * field.rational(&growth)));
-    let left = Ball::from_integer(1, BOUND_BITS) - &ratio;
-    if !left.is_positive() {
-        return None;
-    }
-    Some(Powers { terms, tail: upper_bound(&(upper_bound(&term.abs()) / left)) })
 }
 
 /// Solves `2 c_0 c_k = (2/k) g_(k-1) - Sum_(0<i<k) c_i c_(k-i)`, `g = -(elastic + damping P)`.

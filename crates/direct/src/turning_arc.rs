@@ -2,24 +2,14 @@
 
 use crate::envelope::{Envelope, upper_half};
 use crate::field::Field;
-use crate::fixed::{BOUND_BITS, from_fixed, lower_bound, power_of_two, size, to_fixed, unit, upper_bound};
-use crate::phase_arc::{lower_is_within, zero};
+use crate::fixed::{BOUND_BITS, from_fixed, lower_bound, power_of_two, size, unit, upper_bound, zero};
+use crate::phase_arc::lower_is_within;
+use crate::turning_point::TurningPoint;
 use crate::turning_series::{Problem, Series};
 use num_rational::BigRational;
 use num_traits::Signed;
 use restitution_real::Ball;
 use rug::Float;
-
-/// A point near the turning point: `v` is exact, the true potential energy is near `y`.
-#[derive(Clone, Debug)]
-pub(crate) struct TurningPoint {
-    pub(crate) v: Float,
-    pub(crate) y: Float,
-    /// Bound of the error of `F(y, v) = y + u v x^(gamma+1)/(gamma+1)`.
-    pub(crate) energy: Ball,
-    /// Bound of the error of `y` itself.
-    pub(crate) spread: Ball,
-}
 
 /// What the step from one velocity to the next gives.
 pub(crate) struct TurningStep {
@@ -28,12 +18,6 @@ pub(crate) struct TurningStep {
     pub(crate) slope: f64,
     /// A lower bound of `1 + v K` along the step, below 1 on the way out.
     pub(crate) least_force: Ball,
-}
-
-/// Damping over elastic force per unit of velocity, `K = u x^(gamma-a)`, at potential energy `y`.
-pub(crate) fn friction_ratio(field: &Field, y: &Ball) -> Ball {
-    let power = -(field.law.a() - field.law.gamma()) / field.law.elastic_step();
-    &field.u * (y * field.rational(&field.law.elastic_step())).pow(&power)
 }
 
 /// Follows the motion from `from` to the velocity `end < from.v`; `None` if the step is too long to prove.
@@ -169,11 +153,4 @@ fn exponent(field: &Field) -> BigRational {
 
 fn positive(bound: Ball) -> Ball {
     if bound.is_positive() { bound } else { zero() }
-}
-
-/// Rounds to fixed point where nothing may be lost; `None` if something would be.
-pub(crate) fn exact_fixed(ball: &Ball, bits: u32) -> Option<rug::Integer> {
-    let mut lost = zero();
-    let value = to_fixed(ball, bits, &mut lost);
-    (lost.is_exact() && lost.mid().is_zero()).then_some(value)
 }

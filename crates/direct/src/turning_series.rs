@@ -1,9 +1,8 @@
 //! The Taylor coefficients of a step around the turning point, in fixed point.
 
 use crate::field::Field;
-use crate::fixed::{from_fixed, inner_products, to_fixed};
-use crate::phase_arc::zero;
-use crate::turning_arc::{TurningPoint, exact_fixed, friction_ratio};
+use crate::fixed::{exact_fixed, from_fixed, inner_products, to_fixed, zero};
+use crate::turning_point::{TurningPoint, friction_ratio};
 use num_rational::BigRational;
 use restitution_real::Ball;
 use restitution_real::convert::rug_integer;

@@ -57,17 +57,12 @@ pub(crate) fn locate(field: &Field, arc: &PhaseArc) -> ForceZero {
     if balance.is_positive() {
         return ForceZero::NotPassed;
     }
-    if balance.is_negative() {
-        ForceZero::Passed(speed_at_zero(field, arc, &end))
-    } else {
-        ForceZero::Undecided
-    }
+    if balance.is_negative() { ForceZero::Passed(speed_at_zero(field, arc)) } else { ForceZero::Undecided }
 }
 
 /// The speed at a zero of the force that lies on the arc.
-fn speed_at_zero(field: &Field, arc: &PhaseArc, end: &Ball) -> Ball {
-    let start = Ball::exact(arc.start.clone()).with_prec(field.prec);
-    let (z, speed) = newton(field, arc, &start, end);
+fn speed_at_zero(field: &Field, arc: &PhaseArc) -> Ball {
+    let (z, speed) = newton(field, arc);
     let off = field.balance(&z, &speed).abs();
     // The zero lies within 2 |balance|/((A-B) z^(A-B-1)); the balance there stays within its size.
     let c = &field.coordinate;
@@ -91,15 +86,14 @@ fn speed_at_zero(field: &Field, arc: &PhaseArc, end: &Ball) -> Ball {
 }
 
 /// Newton's iteration for the zero of the balance on an arc, kept between its ends.
-fn newton(field: &Field, arc: &PhaseArc, start: &Ball, end: &Ball) -> (Ball, Ball) {
+fn newton(field: &Field, arc: &PhaseArc) -> (Ball, Ball) {
     let c = &field.coordinate;
-    let span = end - start;
     let (mut low, mut high) = (Float::new(field.prec), Float::with_val(field.prec, 1));
     let mut theta = Float::with_val(field.prec, 0.5);
-    let mut best = (start.clone(), Ball::whole_line(field.prec));
+    let mut best = (Ball::whole_line(field.prec), Ball::whole_line(field.prec));
     for _ in 0..ITERATIONS {
         let part = Ball::exact(theta.clone());
-        let z = start + &span * &part;
+        let z = arc.coordinate(field, &part);
         let speed = arc.velocity(&part).abs();
         let balance = field.balance(&z, &speed);
         best = (z.clone(), speed.clone());
@@ -115,7 +109,7 @@ fn newton(field: &Field, arc: &PhaseArc, start: &Ball, end: &Ball) -> (Ball, Bal
         let one = BigRational::one();
         let slope = field.rational(&power) * z.pow(&(&power - &one))
             + &field.u * field.rational(&c.q) * z.pow(&(&c.damping - &one)) * &balance / &speed;
-        let step = balance / (slope * &span);
+        let step = balance / (slope * arc.pace(field, &z));
         let next = Float::with_val(field.prec, &theta - step.mid());
         let bracketed = step.is_finite() && next > low && next < high;
         let next = if bracketed { next } else { Float::with_val(field.prec, &low + &high) / 2u32 };
