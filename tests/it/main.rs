@@ -6,6 +6,7 @@ mod bounds;
 mod certified;
 mod citations;
 mod closed_forms;
+mod closed_values;
 mod codes;
 mod dimensional;
 mod direct;

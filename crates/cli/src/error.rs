@@ -1,6 +1,7 @@
 //! What can go wrong in a subcommand, as one line on stderr and an exit code.
 
 use restitution_audit::AuditError;
+use restitution_closed::ClosedError;
 use restitution_law::LawError;
 use restitution_real::RealError;
 use restitution_report::ReportError;
@@ -84,6 +85,15 @@ impl From<RealError> for CliError {
 impl From<SeriesError> for CliError {
     fn from(error: SeriesError) -> Self {
         Self::failure(error)
+    }
+}
+
+impl From<ClosedError> for CliError {
+    fn from(error: ClosedError) -> Self {
+        match error {
+            ClosedError::BeyondBeta { .. } => Self::usage(error),
+            _ => Self::failure(error),
+        }
     }
 }
 

@@ -98,7 +98,9 @@ fn align(lines: &mut [Vec<String>], column: usize, numeric: bool) {
     let width = lines.iter().map(|line| length(&line[column])).max().unwrap_or(0);
     for line in lines {
         let cell = &mut line[column];
-        *cell = if numeric { format!("{cell:>width$}") } else { format!("{cell:<width$}") };
+        // A width of format! ends at 65535, and digits do not.
+        let padding = " ".repeat(width - length(cell));
+        if numeric { cell.insert_str(0, &padding) } else { cell.push_str(&padding) }
     }
 }
 

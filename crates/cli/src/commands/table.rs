@@ -1,9 +1,11 @@
 //! `restitution table`: expansion coefficients with proved digits.
 
 use crate::args::{self, EndOfContact, LawArgs};
-use crate::progress::Progress;
+use crate::progress::{self, Progress};
 use crate::{Cell, CliError, OutputArgs, Table, memory};
 use num_rational::BigRational;
+use rayon::prelude::*;
+use restitution_closed::{Certified, Family, low_orders};
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use restitution_series::{DelayedRecovery, coefficients_watched};
@@ -88,6 +90,17 @@ impl Quantity {
         usize::from(matches!(self, Self::C | Self::A))
     }
 
+    /// The family of closed forms if they reach up to `order`: then they are the faster way, at any number of digits.
+    fn in_closed_form(self, law: &ForceLaw, order: usize) -> Result<Option<Family>, CliError> {
+        let family = match self {
+            Self::C => Family::Restitution,
+            Self::A => Family::Scaled,
+            Self::H => Family::DelayedRecovery,
+            Self::Y | Self::Psi => return Ok(None),
+        };
+        Ok((order <= family.largest_index(law)?).then_some(family))
+    }
+
     /// The family in the engine; `None` for what is exact.
     fn in_series(self) -> Option<restitution_series::Quantity> {
         match self {
@@ -108,8 +121,8 @@ impl TableArgs {
     /// Usage if they need more memory than there is; what the expansion and the output say.
     pub fn run(&self) -> Result<(), CliError> {
         self.output.check()?;
-        memory::require(memory_estimate(self.order, self.digits), "lower --order or --digits")?;
         let quantities = self.quantities()?;
+        memory::require(self.memory_estimate(&quantities)?, "lower --order or --digits")?;
         let columns = ["quantity", "k", "value", "radius"];
         let mut table = Table::new(&columns[usize::from(quantities.len() == 1)..]);
         for &quantity in &quantities {
@@ -146,8 +159,26 @@ impl TableArgs {
         Ok(seen)
     }
 
+    /// Bytes at the peak of the hungriest quantity.
+    fn memory_estimate(&self, quantities: &[Quantity]) -> Result<f64, CliError> {
+        let mut most = 0.0_f64;
+        for &quantity in quantities {
+            let closed = quantity.in_closed_form(&self.law.law, self.order)?.is_some();
+            let bytes = if closed {
+                restitution_closed::memory_estimate(self.digits)
+            } else {
+                memory_estimate(self.order, self.digits)
+            };
+            most = most.max(bytes);
+        }
+        Ok(most)
+    }
+
     /// Rows of order, value and radius.
     fn rows(&self, quantity: Quantity) -> Result<Vec<[Cell; 3]>, CliError> {
+        if let Some(family) = quantity.in_closed_form(&self.law.law, self.order)? {
+            return self.rows_in_closed_form(quantity, family);
+        }
         let Some(family) = quantity.in_series() else {
             let psi = DelayedRecovery::new(&self.law.law)?.psi(self.order);
             let exact = |(k, value): (usize, &BigRational)| [k.into(), Cell::digits(value), Cell::digits(0)];
@@ -157,12 +188,23 @@ impl TableArgs {
         let watch = &mut |k: usize| progress.set(k as u64);
         let values = coefficients_watched(family, &self.law.law, self.order, self.digits, watch)?;
         let row = |(k, value): (usize, &Ball)| {
-            let unproved =
-                || CliError::failure(format!("{} digits could not be proved: ask for fewer", self.digits));
-            let (shown, radius) = value.to_digits_and_radius(self.digits).ok_or_else(unproved)?;
+            let (shown, radius) =
+                value.to_digits_and_radius(self.digits).ok_or_else(|| unproved(self.digits))?;
             Ok([k.into(), Cell::Digits(shown), Cell::Digits(radius)])
         };
         values.iter().enumerate().skip(quantity.first()).map(row).collect()
+    }
+
+    /// As [`Self::rows`], from Beta values; conversions to decimals share the processors.
+    fn rows_in_closed_form(&self, quantity: Quantity, family: Family) -> Result<Vec<[Cell; 3]>, CliError> {
+        let label = format!("{}_k", quantity.letter());
+        let shown = progress::during(&label, || {
+            let values = low_orders(family, &self.law.law, self.order, self.digits)?;
+            let shown = values.par_iter().map(|value| restitution_closed::certified(value, self.digits));
+            shown.collect::<Option<Vec<Certified>>>().ok_or_else(|| unproved(self.digits))
+        })?;
+        let row = |(k, c): (usize, Certified)| [k.into(), Cell::Digits(c.value), Cell::Digits(c.radius)];
+        Ok(shown.into_iter().enumerate().skip(quantity.first()).map(row).collect())
     }
 }
 
@@ -171,6 +213,10 @@ fn title(law: &ForceLaw) -> String {
         return "Viscoelastic spheres, x'' + u sqrt(x) x' + x^(3/2) = 0".to_owned();
     }
     format!("Force law x'' + u x^({}) x' + x^({}) = 0", law.gamma(), law.a())
+}
+
+fn unproved(digits: usize) -> CliError {
+    CliError::failure(format!("{digits} digits could not be proved: ask for fewer"))
 }
 
 /// Bytes at the peak: each trajectory, its powers and sums in balls of the working precision, and the

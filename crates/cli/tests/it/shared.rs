@@ -174,3 +174,12 @@ fn help_and_completions_are_there() {
         assert!(succeed(line).contains("restitution"), "{line}");
     }
 }
+
+#[test]
+fn values_are_as_long_as_asked_in_every_format() {
+    for format in ["text", "csv", "json", "latex", "markdown"] {
+        let text = succeed(&format!("table --quantity C --order 1 --digits 70000 --format {format}"));
+        let digits = text.split(|c: char| !c.is_ascii_digit()).map(str::len).max();
+        assert_eq!(digits, Some(69_999), "{format}");
+    }
+}

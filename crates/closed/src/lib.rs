@@ -1,0 +1,18 @@
+//! Closed forms of the coefficients of restitution, and their values to a million digits.
+//!
+//! For every law `x'' + u x^gamma x' + x^a = 0` the coefficients `C_k`, `a_k`, `h_k` are rational expressions in
+//! iterated integrals over the undamped collision; up to order 4, in two Beta values. The derivation is in
+//! `docs/closed-forms.md`. The crate shares no formula with the engine of `restitution-series` but the exact
+//! factor between the two ends of contact, so that each can test the other.
+
+mod beta;
+mod decimal;
+mod error;
+mod low_orders;
+mod root;
+mod splitting;
+
+pub use beta::beta;
+pub use decimal::{Certified, certified};
+pub use error::ClosedError;
+pub use low_orders::{Family, LARGEST_BETA_ORDER, low_orders, memory_estimate};
