@@ -1,5 +1,6 @@
 //! Workspace tests, one binary.
 
+mod adequacy;
 mod approximate;
 mod audit;
 mod bounds;

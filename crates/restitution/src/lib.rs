@@ -27,11 +27,7 @@ mod dissipation;
 #[cfg(feature = "std")]
 mod error;
 #[cfg(feature = "std")]
-mod fit;
-#[cfg(feature = "std")]
 mod material;
-#[cfg(feature = "std")]
-mod measurement;
 #[cfg(feature = "std")]
 mod time_step;
 #[cfg(feature = "std")]
@@ -51,13 +47,9 @@ pub use epsilon::{epsilon, one_minus_epsilon};
 #[cfg(feature = "std")]
 pub use error::MaterialError;
 pub use fifth_root::fifth_root;
-#[cfg(feature = "std")]
-pub use fit::{Fit, Loss, fit};
 pub use inverse::u_of_epsilon;
 #[cfg(feature = "std")]
 pub use material::{Material, Sphere, sphere_mass};
-#[cfg(feature = "std")]
-pub use measurement::{FitError, LARGEST_MEASURED_EPSILON, Measurement};
 #[cfg(feature = "std")]
 pub use time_step::{time_step_error, time_step_for};
 #[cfg(feature = "std")]

@@ -1,30 +1,36 @@
 //! `restitution fit`: the characteristic velocity from a table of measurements.
 
-mod data;
+mod report;
+mod source;
 
-use super::material::ten_digits;
 use crate::args::{EndArgs, EndOfContact};
 use crate::units::{Dimension, Quantity};
-use crate::{Cell, CliError, OutputArgs, Table};
-use data::Data;
-use restitution::{End, Fit, Loss, fit};
-use std::path::PathBuf;
+use crate::{CliError, OutputArgs, progress};
+use restitution::End;
+use restitution_fit::{Data, Law, Loss, adequacy, compare, fit};
+use source::SourceArgs;
 
 /// Arguments of `restitution fit`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:\n  restitution fit data.csv\n  \
+    restitution fit data.txt --columns 2,4 --velocity-unit cm/s --between 1cm/s,50cm/s\n  \
+    restitution fit drops.csv --measured-as heights --table laws\n  \
+    restitution fit --example ice --between 0.3cm/s,5cm/s --table laws --printed-formula")]
 pub struct FitArgs {
-    /// A CSV file with a header line and columns g and epsilon, such as g[cm/s],epsilon; - is stdin
-    #[arg(value_name = "DATA")]
-    data: PathBuf,
-    /// Unit of the velocities, if the header names none [default: m/s]
-    #[arg(long, value_name = "UNIT", value_parser = velocity_unit)]
-    velocity_unit: Option<String>,
+    #[command(flatten)]
+    source: SourceArgs,
+    /// Use the rows with velocities from LOW to HIGH only, such as 0.3cm/s,5cm/s
+    #[arg(long, value_name = "LOW,HIGH", value_parser = between)]
+    between: Option<(Quantity, Quantity)>,
     /// How residuals count
     #[arg(long, value_enum, default_value_t, value_name = "LOSS")]
     loss: LossArg,
     /// What to print
     #[arg(long, value_enum, default_value_t, value_name = "TABLE")]
     table: Show,
+    /// Compare formula (35) as the paper prints it, too
+    #[arg(long)]
+    printed_formula: bool,
     #[command(flatten)]
     end: EndArgs,
     #[command(flatten)]
@@ -44,11 +50,15 @@ enum LossArg {
 /// What is printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 enum Show {
-    /// The characteristic velocity and its error.
+    /// The characteristic velocity, its interval, and whether the law fits at all.
     #[default]
     Fit,
     /// Every row with its fitted value.
     Residuals,
+    /// Several laws fitted to the same rows, best first.
+    Laws,
+    /// The tests of whether the law fits.
+    Tests,
 }
 
 impl FitArgs {
@@ -60,77 +70,69 @@ impl FitArgs {
     /// that do not determine `g*`.
     pub fn run(&self) -> Result<(), CliError> {
         self.output.check()?;
-        let data = Data::read(&self.data, self.velocity_unit.as_deref())?;
-        let end = match self.end.end {
-            EndOfContact::ZeroCompression => End::ZeroCompression,
-            EndOfContact::ZeroForce => End::ZeroForce,
-        };
+        let mut data = progress::during("reading", || self.source.read())?;
+        self.restrict(&mut data)?;
+        let table = progress::during("fitting", || self.make(&data))?;
+        self.output.print(&table)
+    }
+
+    /// Leaves out what `--between` leaves out, and says so.
+    fn restrict(&self, data: &mut Data) -> Result<(), CliError> {
+        let Some((low, high)) = &self.between else { return Ok(()) };
+        let dropped = data.keep_between(low.to_f64(), high.to_f64());
+        if data.rows.is_empty() {
+            let rows = if dropped == 1 { "row lies" } else { "rows lie" };
+            return Err(CliError::usage(format!(
+                "the {dropped} {rows} outside {low} to {high}: give wider limits"
+            )));
+        }
+        data.remarks
+            .push(format!("{} rows from {low} to {high}, {dropped} outside left out.", data.rows.len()));
+        Ok(())
+    }
+
+    fn make(&self, data: &Data) -> Result<crate::Table, CliError> {
+        let end = self.end();
+        if self.table == Show::Laws {
+            let printed = self.printed_formula.then_some(Law::Printed35);
+            let laws = Law::USUAL.into_iter().chain(printed).collect::<Vec<_>>();
+            return Ok(report::laws(data, &compare(&data.rows, &laws).map_err(CliError::failure)?));
+        }
         let loss = match self.loss {
             LossArg::Squares => Loss::Squares,
             LossArg::Huber => Loss::Huber,
         };
         let result = fit(&data.rows, end, loss).map_err(CliError::failure)?;
-        self.output.print(&match self.table {
-            Show::Fit => summary(&data, &result),
-            Show::Residuals => residuals(&data, &result, end),
+        let verdict = || adequacy(&data.rows, &result).map_err(CliError::failure);
+        Ok(match self.table {
+            Show::Residuals => report::residuals(data, &result),
+            Show::Tests => report::tests(&verdict()?, &result),
+            _ => {
+                let laws = compare(&data.rows, &Law::USUAL).map_err(CliError::failure)?;
+                report::summary(data, &result, &verdict()?, &laws)
+            }
         })
     }
+
+    fn end(&self) -> End {
+        match self.end.end {
+            EndOfContact::ZeroCompression => End::ZeroCompression,
+            EndOfContact::ZeroForce => End::ZeroForce,
+        }
+    }
 }
 
-fn summary(data: &Data, fit: &Fit) -> Table {
-    let mut table = Table::new(&["quantity", "symbol", "value", "unit"]);
-    let mut add = |quantity: &str, symbol: &str, value: Cell, unit: &str| {
-        table.push(vec![quantity.into(), symbol.into(), value, unit.into()]);
+fn between(text: &str) -> Result<(Quantity, Quantity), String> {
+    let Some((low, high)) = text.split_once(',') else {
+        return Err(format!("'{text}' is not a pair of limits: write it as LOW,HIGH, such as 0.3cm/s,5cm/s"));
     };
-    let (low, high) = fit.interval();
-    let significant = |value| statistic(value, fit.log_error);
-    add("characteristic velocity", "g*", significant(fit.characteristic_velocity), &data.unit);
-    add("lower end, one standard error", "g*/f", significant(low), &data.unit);
-    add("upper end, one standard error", "g* f", significant(high), &data.unit);
-    add("standard error of ln g*", "ln f", rounded(fit.log_error, 3), "");
-    add("scatter of epsilon", "s", rounded(fit.scatter, 3), "");
-    add("largest residual of epsilon", "r", rounded(fit.largest_residual, 3), "");
-    add("line of the largest residual", "", data.lines[fit.largest_residual_row].into(), "");
-    add("rows", "n", fit.rows.into(), "");
-    add("rows that count less", "", fit.outliers.into(), "");
-    add("changes of sign of the residuals", "", fit.sign_changes.into(), "");
-    if fit.is_systematic() {
-        table.note(
-            "The residuals run together: the data do not follow the curve of a viscoelastic collision, and g* is less certain than its standard error.",
-        );
+    let read = |text| Quantity::parse(text, Dimension::Velocity).map_err(|error| error.to_string());
+    let (low, high) = (read(low)?, read(high)?);
+    crate::units::all_or_none(&[low.clone(), high.clone()]).map_err(|error| error.to_string())?;
+    if low.si() >= high.si() {
+        return Err(format!(
+            "the limits {low} and {high} leave nothing between them: give the lower one first"
+        ));
     }
-    let above = data.rows.iter().zip(&data.lines).filter(|(row, _)| row.epsilon() > 1.0);
-    let above = above.map(|(_, line)| line.to_string()).collect::<Vec<_>>();
-    if !above.is_empty() {
-        table.note(format!("Coefficients above 1, kept as noise: line {}.", above.join(", ")));
-    }
-    table
-}
-
-fn residuals(data: &Data, fit: &Fit, end: End) -> Table {
-    let mut table = Table::new(&["line", "velocity", "epsilon", "fitted", "residual"]);
-    for (row, line) in data.rows.iter().zip(&data.lines) {
-        let fitted = fit.epsilon(row.velocity(), end);
-        let cells = [row.velocity(), row.epsilon(), fitted, row.epsilon() - fitted];
-        table.push([Cell::from(*line)].into_iter().chain(cells.map(ten_digits)).collect());
-    }
-    table.note(format!("Velocities in {}.", data.unit));
-    table
-}
-
-/// A fitted value to the digits its error leaves, and one more; ten at most.
-fn statistic(value: f64, relative_error: f64) -> Cell {
-    let digits = if relative_error > 0.0 { (1.5 - relative_error.log10()).ceil() } else { 10.0 };
-    rounded(value, digits.clamp(2.0, 10.0) as usize)
-}
-
-/// A number rounded to some significant digits.
-fn rounded(value: f64, digits: usize) -> Cell {
-    Cell::Float(format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value))
-}
-
-fn velocity_unit(text: &str) -> Result<String, String> {
-    let unit = text.trim();
-    Quantity::parse(&format!("1{unit}"), Dimension::Velocity).map_err(|error| error.to_string())?;
-    Ok(unit.to_owned())
+    Ok((low, high))
 }
