@@ -7,6 +7,8 @@ use restitution_fit::{Departure, FALSE_ALARMS, Law, Loss, Measurement, adequacy,
 
 const ENDS: [End; 2] = [End::ZeroCompression, End::ZeroForce];
 
+type Curve = Box<dyn Fn(f64) -> f64>;
+
 /// A standard normal variable: twelve uniform ones (Irwin and Hall), cut at six standard deviations.
 fn normal(rng: &mut impl RngExt) -> f64 {
     (0..12).map(|_| rng.random::<f64>()).sum::<f64>() - 6.0
@@ -156,7 +158,7 @@ fn a_curve_through_every_row_is_not_tested() {
 fn the_right_law_comes_first() {
     let g = velocities(0.01, 10.0, 12, 1);
     let mut generator = generator(83, 1);
-    let cases: [(Law, Box<dyn Fn(f64) -> f64>); 5] = [
+    let cases: [(Law, Curve); 5] = [
         (
             Law::Viscoelastic(End::ZeroCompression),
             Box::new(|g| Restitution::from_g_star(0.5, End::ZeroCompression).epsilon(g)),

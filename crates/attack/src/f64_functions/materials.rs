@@ -7,10 +7,10 @@ use crate::random::{Source, choose};
 use rand::{Rng, RngExt};
 use restitution::codes::ConstantRestitution;
 use restitution::{
-    Contact, DissipationFormula, End, Loss, Material, Measurement, Plane, Sphere, Validity,
-    ViscoelasticContact, characteristic_velocity_from, dissipative_constant, fit, time_step_error,
-    time_step_for,
+    Contact, DissipationFormula, End, Material, Plane, Sphere, Validity, ViscoelasticContact,
+    characteristic_velocity_from, dissipative_constant, time_step_error, time_step_for,
 };
+use restitution_fit::{Loss, Measurement, fit};
 
 pub(super) fn attack(random: &mut Source, tally: &mut Tally) {
     for _ in 0..16 {

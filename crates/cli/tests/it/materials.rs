@@ -209,7 +209,7 @@ fn documents_show_what_the_command_prints() {
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
     let text = fs::read_to_string(format!("{root}/docs/materials.md")).unwrap();
     let blocks = console_blocks(&text);
-    assert_eq!(blocks.len(), 3);
+    assert_eq!(blocks.len(), 4);
     for (line, printed) in blocks {
         let line = line
             .strip_prefix("restitution ")
