@@ -20,3 +20,8 @@ pub use output::OutputArgs;
 pub use restitution_law::exact;
 pub use restitution_table::{Cell, Table};
 pub use restitution_units as units;
+
+/// The README's Rust is run as a documentation test, here because the library's package doesn't hold the README.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct ReadmeDoctests;

@@ -5,6 +5,7 @@
 //! `evaluator_tables` makes the tables of the crate `restitution` in the same way.
 
 mod chebyshev;
+mod constants;
 mod design;
 mod error;
 mod evaluator_tables;
@@ -14,6 +15,7 @@ mod near_zero;
 mod pieces;
 mod reference;
 
+pub use constants::constants;
 pub use design::design;
 pub use error::ExportError;
 pub use evaluator_tables::{tier_tables, zero_compression_tables, zero_force_tables};

@@ -2,6 +2,7 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod batch;
+pub mod bounds;
 mod end;
 mod epsilon;
 mod fifth_root;
@@ -55,8 +56,3 @@ pub use time_step::{time_step_error, time_step_for};
 #[cfg(feature = "std")]
 pub use validity::{Validity, Verdict};
 pub use velocity::Restitution;
-
-/// The README's Rust is run as a documentation test.
-#[cfg(all(doctest, feature = "std"))]
-#[doc = include_str!("../../../README.md")]
-struct ReadmeDoctests;

@@ -6,7 +6,7 @@ use crate::output::TargetArgs;
 use crate::progress;
 use clap::ValueEnum;
 use restitution::End;
-use restitution_export::{ExportError, Language, Listing, Reference, design};
+use restitution_export::{ExportError, Language, Listing, Reference, constants, design};
 use restitution_export::{tier_tables, zero_compression_tables, zero_force_tables};
 
 /// The least and the largest relative error that can be asked for.
@@ -39,6 +39,7 @@ enum Target {
     C,
     Fortran,
     Python,
+    EvaluatorConstants,
     EvaluatorTables,
     EvaluatorTiers,
 }
@@ -57,6 +58,7 @@ impl ExportArgs {
 
     fn source(&self) -> Result<String, CliError> {
         let language = match self.lang {
+            Target::EvaluatorConstants => return Ok(constants()),
             Target::EvaluatorTables => return self.tables(),
             Target::EvaluatorTiers => {
                 let (compression, force) =
