@@ -1,15 +1,12 @@
 //! The f64 evaluator against certified values: the errors that its documentation states.
 
 use crate::certified::{exact, reference, ulps};
-use restitution::{End, epsilon, one_minus_epsilon};
+use restitution::{End, bounds, epsilon, one_minus_epsilon, u_of_epsilon};
 use rug::Float;
 
-/// Points of the main comparison, by ratio over [`RANGE`].
-const POINTS: usize = 1_000_000;
+/// Points of the quick and of the whole comparison, by ratio over [`RANGE`].
+const POINTS: [usize; 2] = [20_000, 1_000_000];
 const RANGE: (f64, f64) = (1e-8, 1e3);
-/// The bounds of the documentation, in ulp.
-const EPSILON_BOUND: f64 = 2.0;
-const ONE_MINUS_EPSILON_BOUND: f64 = 4.0;
 const ENDS: [End; 2] = [End::ZeroCompression, End::ZeroForce];
 
 /// The largest errors seen, in ulp, with their places.
@@ -42,7 +39,7 @@ impl Worst {
     fn check(self, what: &str) {
         let Self { epsilon: (e, at), one_minus_epsilon: (lost, lost_at) } = self;
         println!("{what}: epsilon {e:.3} ulp at {at:e}, one_minus_epsilon {lost:.3} ulp at {lost_at:e}");
-        assert!(e <= EPSILON_BOUND && lost <= ONE_MINUS_EPSILON_BOUND, "{what}");
+        assert!(e <= bounds::EPSILON.size && lost <= bounds::ONE_MINUS_EPSILON.size, "{what}");
     }
 }
 
@@ -58,16 +55,47 @@ fn by_ratio(
     })
 }
 
-#[test]
-fn a_million_points_by_ratio() {
+fn points_by_ratio(points: usize) {
     for end in ENDS {
         reference(end);
         let worst = std::thread::scope(|scope| {
-            let halves = [0..POINTS / 2, POINTS / 2..POINTS];
-            let threads = halves.map(|half| scope.spawn(|| Worst::over(end, by_ratio(POINTS, RANGE, half))));
+            let halves = [0..points / 2, points / 2..points];
+            let threads =
+                halves.map(|half| scope.spawn(move || Worst::over(end, by_ratio(points, RANGE, half))));
             threads.map(|thread| thread.join().unwrap()).into_iter().fold(Worst::default(), Worst::max)
         });
-        worst.check(&format!("{end:?}, {POINTS} points"));
+        worst.check(&format!("{end:?}, {points} points"));
+    }
+}
+
+#[test]
+fn points_of_all_sizes() {
+    points_by_ratio(crate::support::cases(POINTS[0]));
+}
+
+#[test]
+#[ignore = "slow: a million points, half a minute"]
+fn a_million_points_by_ratio() {
+    points_by_ratio(POINTS[1]);
+}
+
+/// The exact coefficient at what the inverse returns, against the coefficient that was asked for.
+#[test]
+fn the_inverse_is_within_its_bound() {
+    for end in ENDS {
+        let reference = reference(end);
+        let mut worst = (0.0_f64, 0.0);
+        let count = crate::support::cases(20_000);
+        let small = by_ratio(count, (1e-290, 1.0), 0..count).chain(by_ratio(count, (1e-5, 1.0), 0..count));
+        let near_one = by_ratio(count, (1e-15, 0.5), 0..count).map(|lost| 1.0 - lost);
+        for wanted in small.chain(near_one).filter(|wanted| *wanted < 1.0) {
+            let (lost, kept) = exact(reference, u_of_epsilon(wanted, end));
+            let (value, target) = if wanted > 0.5 { (lost, 1.0 - wanted) } else { (kept, wanted) };
+            let error = (Float::with_val(112, value - target) / target).to_f64().abs();
+            worst = if error <= worst.0 { worst } else { (error, wanted) };
+        }
+        println!("{end:?}, inverse: {:.3e} at {:e}", worst.0, worst.1);
+        assert!(worst.0 <= bounds::INVERSE.size, "{end:?}: {worst:?}");
     }
 }
 
@@ -109,7 +137,8 @@ fn large_u() {
             let (_, kept) = exact(reference(end), u);
             let error = Float::with_val(112, epsilon(u, end) - kept);
             assert!(
-                error.to_f64().abs() <= 5e-324 || ulps(epsilon(u, end), &exact(reference(end), u).1) <= 2.0
+                error.to_f64().abs() <= 5e-324
+                    || ulps(epsilon(u, end), &exact(reference(end), u).1) <= bounds::EPSILON.size
             );
         }
     }

@@ -1,7 +1,8 @@
 //! From a velocity: the fifth root and the coefficient.
 
 use crate::certified::{PREC, exact, reference, ulps};
-use restitution::{End, Restitution, fifth_root};
+use proptest::prelude::Rng;
+use restitution::{Contact, End, Restitution, ViscoelasticContact, bounds, fifth_root};
 use rug::Float;
 
 const POINTS: i32 = 60_000;
@@ -16,7 +17,7 @@ fn the_fifth_root_is_within_its_bound() {
         assert_eq!(fifth_root(-x), -fifth_root(x));
     }
     println!("fifth root: {worst:.3} ulp");
-    assert!(worst <= 1.0);
+    assert!(worst <= bounds::FIFTH_ROOT.size);
 }
 
 #[test]
@@ -26,7 +27,7 @@ fn unusual_arguments_of_the_fifth_root() {
     }
     for x in [5e-324, 1e-310, f64::MIN_POSITIVE, f64::MAX, 1.0, 32.0, 1.0_f64.next_down(), 32.0_f64.next_up()]
     {
-        assert!(ulps(fifth_root(x), &Float::with_val(PREC, x).root(5)) <= 1.0, "{x:e}");
+        assert!(ulps(fifth_root(x), &Float::with_val(PREC, x).root(5)) <= bounds::FIFTH_ROOT.size, "{x:e}");
     }
 }
 
@@ -41,7 +42,7 @@ fn the_coefficient_at_a_velocity_is_within_its_bound() {
             worst = worst.max(ulps(law.epsilon(g), &reference(end).epsilon(&u)));
         }
         println!("{end:?} from a velocity: {worst:.3} ulp");
-        assert!(worst <= 3.0);
+        assert!(worst <= bounds::EPSILON_OF_VELOCITY.size);
     }
 }
 
@@ -58,4 +59,28 @@ fn g_star_is_where_the_first_order_takes_all() {
         assert_eq!((law.epsilon(0.0), law.epsilon(f64::INFINITY)), (1.0, 0.0));
         assert!(law.epsilon(-1e-9).is_nan() && law.epsilon(f64::NAN).is_nan());
     }
+}
+
+/// Two ways to the same law: with a contact in between, whose `A` is one f64, and without. What differs is the fifth
+/// root, 2 units of 2^-53, and six roundings, five times each, and ten in the two powers: 50 of those units.
+#[test]
+fn a_characteristic_velocity_means_the_same_with_and_without_a_contact() {
+    let mut random = crate::support::generator(12, 1);
+    let mut worst = 0.0_f64;
+    for _ in 0..crate::support::cases(20_000) {
+        let mut by_ratio = |low: f64, high: f64| {
+            let spread = f64::from(random.rng().next_u32()) / f64::from(u32::MAX);
+            low * (high / low).powf(spread)
+        };
+        let (radius, mass, modulus) = (by_ratio(1e-6, 1.0), by_ratio(1e-12, 1e3), by_ratio(1e5, 1e12));
+        let g_star = by_ratio(1e-9, 1e3);
+        let contact = Contact::new(radius, mass, modulus).unwrap();
+        let pair = ViscoelasticContact::from_characteristic_velocity(contact, g_star).unwrap();
+        let (with, without) =
+            (pair.restitution(End::ZeroForce), Restitution::from_g_star(g_star, End::ZeroForce));
+        let scale = with.velocity(1.0) / without.velocity(1.0);
+        worst = worst.max((scale - 1.0).abs() / f64::EPSILON);
+    }
+    println!("with and without a contact: velocities differ by {worst:.1} units of 2^-52");
+    assert!(worst <= 25.0);
 }

@@ -30,7 +30,7 @@ pub fn epsilon_batch(u: &[f64], out: &mut [f64], end: End) {
 
 fn compression_block(u: &[f64], out: &mut [f64]) {
     let (_, last) = span(u);
-    if last < zero_compression::FAR.to_bits() {
+    if last < zero_compression::TABLE_END.to_bits() {
         each(u, out, zero_compression::epsilon_within);
     } else if last < zero_compression::LARGE.to_bits() {
         each(u, out, zero_compression::epsilon_to_large);
@@ -42,7 +42,7 @@ fn compression_block(u: &[f64], out: &mut [f64]) {
 fn force_block(u: &[f64], out: &mut [f64]) {
     let (first, last) = span(u);
     let near_end = zero_force::NEAR_END.to_bits();
-    if last >= zero_force::FAR.to_bits() {
+    if last >= zero_force::TABLE_END.to_bits() {
         each(u, out, zero_force::epsilon);
     } else if first >= near_end {
         each(u, out, zero_force::epsilon_within);

@@ -15,8 +15,9 @@ use crate::{End, zero_compression, zero_force};
 ///
 /// # Error bound
 ///
-/// At most 2 ulp where the result is normal: the parts, their sum and the largest error observed are in
-/// `docs/evaluator.md`, the check is `tests/it/fast_vs_direct.rs`.
+/// [`bounds::EPSILON`](crate::bounds::EPSILON): at most 2 ulp (measured) where the result is normal. The parts and
+/// their sum are in `docs/evaluator.md`. Rounding makes `epsilon` rise between neighbouring arguments here and
+/// there, by [`bounds::STEP_UP`](crate::bounds::STEP_UP).
 ///
 /// # Examples
 ///
@@ -47,8 +48,8 @@ pub fn epsilon(u: f64, end: End) -> f64 {
 ///
 /// # Error bound
 ///
-/// At most 4 ulp where the result is normal, else one unit of the smallest subnormal more;
-/// `docs/evaluator.md` has the parts.
+/// [`bounds::ONE_MINUS_EPSILON`](crate::bounds::ONE_MINUS_EPSILON): at most 4 ulp (measured) where the result is
+/// normal, else one unit of the smallest subnormal more; `docs/evaluator.md` has the parts.
 ///
 /// # Examples
 ///

@@ -14,9 +14,9 @@ const STEPS: usize = 40;
 ///
 /// # Error bound
 ///
-/// The rounding of the result, and a change of the coefficient asked for by 2 ulp: as
-/// `|d ln epsilon/d ln u| <= 5`, the coefficient at the result is within 1e-15 of the one asked for,
-/// relative to it. Where that is close to 1, so is `1 - epsilon` to `1 - epsilon(u)`.
+/// [`bounds::INVERSE`](crate::bounds::INVERSE): the exact coefficient at the result differs from the one asked for by
+/// at most 1e-15 relative (measured); above 1/2 that holds for `1 - epsilon`. The rounding of the result counts up to
+/// five times, as `|d ln epsilon/d ln u| <= 5`. Below 1e-290 the coefficient asked for has few bits itself.
 ///
 /// # Examples
 ///
@@ -87,11 +87,15 @@ fn in_table(pieces: &[Piece], grid: &Grid, epsilon: f64) -> f64 {
     grid.centre(index) + t
 }
 
-/// `u = (R^5/epsilon)^(1/5)`.
-fn saturated(epsilon: f64) -> f64 {
+/// `u = (R^5/epsilon)^(1/5)`, and by the ratio that is still missing.
+fn saturated(wanted: f64) -> f64 {
     const TWO_TO_200: f64 = f64::from_bits((1023 + 200) << 52);
     const TWO_TO_40: f64 = f64::from_bits((1023 + 40) << 52);
-    fifth_root(compression::R5[0] / (epsilon * TWO_TO_200)) * TWO_TO_40
+    let u = fifth_root(compression::R5[0] / (wanted * TWO_TO_200)) * TWO_TO_40;
+    if wanted < f64::MIN_POSITIVE {
+        return u;
+    }
+    u + u * (0.2 * (epsilon(u, End::ZeroCompression) / wanted - 1.0))
 }
 
 /// From `u = ((3/2)^(2/3)/epsilon)^(3/5)`, by the ratio that is still missing.

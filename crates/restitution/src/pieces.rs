@@ -92,11 +92,23 @@ impl Grid {
     /// Returns the number of the piece that `x` lies in, beyond every table if `x` lies below the
     /// first or is NaN, and the centre of that piece.
     #[inline(always)]
-    pub(crate) fn locate(&self, x: f64) -> (usize, f64) {
+    pub(crate) const fn locate(&self, x: f64) -> (usize, f64) {
         let bits = (x + self.shift).to_bits();
         let width = 52 - self.bits;
         let centre = f64::from_bits(((bits >> width) << width) | (1 << (width - 1))) - self.shift;
         ((bits >> width).wrapping_sub(self.first) as usize, centre)
+    }
+
+    /// Returns the least number that [`locate`](Self::locate) puts beyond a table of `pieces`.
+    ///
+    /// The sum with the shift is rounded, so this may lie below the end of the last piece.
+    pub(crate) const fn end(&self, pieces: usize) -> f64 {
+        let width = 52 - self.bits;
+        let mut end = f64::from_bits((self.first + pieces as u64) << width) - self.shift;
+        while self.locate(end.next_down()).0 >= pieces {
+            end = end.next_down();
+        }
+        end
     }
 
     /// Returns the centre of piece `index`.
@@ -104,5 +116,22 @@ impl Grid {
     pub(crate) fn centre(&self, index: usize) -> f64 {
         let width = 52 - self.bits;
         f64::from_bits(((self.first + index as u64) << width) | (1 << (width - 1))) - self.shift
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_end_of_a_table_is_where_locate_says() {
+        for (grid, pieces, end) in [
+            (Grid::new(8.0, 9, 0.0), 448, 7.0_f64.next_down()), // 7 - 2^-50 + 8 rounds to 15
+            (Grid::new(0.5, 6, 0.0625), 696, 1023.5),
+            (Grid::new(8.0, 9, 0.0), 64, 1.0 - 4.0 * f64::EPSILON),
+        ] {
+            assert_eq!(grid.end(pieces), end);
+            assert!(grid.locate(end).0 >= pieces && grid.locate(end.next_down()).0 < pieces);
+        }
     }
 }

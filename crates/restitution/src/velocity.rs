@@ -1,5 +1,5 @@
 use crate::fifth_root::{Root, fifth_root, is_ordinary};
-use crate::tables::zero_compression::NEAR;
+use crate::tables::constants::SLOPE;
 use crate::{End, epsilon, one_minus_epsilon, zero_compression, zero_force};
 
 /// The coefficient of restitution of two given bodies as a function of their impact velocity.
@@ -9,12 +9,12 @@ use crate::{End, epsilon, one_minus_epsilon, zero_compression, zero_force};
 /// ```
 ///
 /// (\[RPBS1999\], eqs. 6, 30, 31.) `u_1` is the value of `u` at unit velocity and `g*` the velocity at
-/// which `|C_1| u = 1`, in the unit of velocity that is then used throughout. A scale that is not
-/// positive and finite makes every coefficient NaN.
+/// which `|C_1| u = 1`, in the unit of velocity that is then used throughout. A scale whose `f` is no normal
+/// positive f64 (`g*` outside 3e-309 to 2e307, `u_1` outside 2e-62 to 4e61) makes every coefficient NaN.
 ///
 /// # Error bound
 ///
-/// That of [`epsilon`] plus 1 ulp: `u` enters with more than the bits of an f64, the product `f g` is
+/// [`bounds::EPSILON_OF_VELOCITY`](crate::bounds::EPSILON_OF_VELOCITY): at most 3 ulp (measured). `u` enters with more than the bits of an f64, the product `f g` is
 /// rounded, and `|d ln epsilon/d ln g| <= 1`. `f` itself is within 4 ulp of the value that `g*` or
 /// `u_1` stands for, which changes the coefficient at most as much as a change of the velocity in the
 /// same proportion.
@@ -40,8 +40,7 @@ impl Restitution {
     /// From the velocity `g*` at which `|C_1| u = 1` (eq. 31).
     #[must_use]
     pub fn from_g_star(g_star: f64, end: End) -> Self {
-        let c1 = NEAR[0]; // -C_1, rounded
-        Self::from_factor(1.0 / (c1 * c1 * c1 * c1 * c1 * g_star), end)
+        Self::from_factor(1.0 / (SLOPE * SLOPE * SLOPE * SLOPE * SLOPE * g_star), end)
     }
 
     /// From `u` at unit velocity, `(3/2) A (rho/m_eff)^(2/5)`.
@@ -61,19 +60,41 @@ impl Restitution {
         self.end
     }
 
-    /// Returns `u` of an impact velocity.
+    /// Returns `u` of an impact velocity, within 2 ulp where `f g` is beyond the range of f64, too; NaN below zero.
     #[inline]
     #[must_use]
     pub fn u(&self, velocity: f64) -> f64 {
-        fifth_root(self.factor * velocity)
+        let x = self.factor * velocity;
+        if is_ordinary(x) { fifth_root(x) } else { self.unusual_u(velocity) }
     }
 
-    /// Returns the impact velocity that belongs to `u`, in six roundings; infinite where it overflows.
-    #[inline]
+    /// `u` where the product with the factor is not an ordinary number.
+    #[cold]
+    fn unusual_u(&self, velocity: f64) -> f64 {
+        if self.factor.is_nan() || velocity.is_nan() || velocity < 0.0 {
+            return f64::NAN;
+        }
+        if velocity == 0.0 || velocity.is_infinite() {
+            return velocity;
+        }
+        // The factor is normal, so neither of the two leaves the range, and their product is normal.
+        let exponent = if self.factor * velocity < 1.0 { 550 } else { -550 };
+        let scale = power_of_two(exponent);
+        fifth_root((self.factor * scale) * (velocity * scale)) * power_of_two(-exponent * 2 / 5)
+    }
+
+    /// Returns the impact velocity that belongs to `u`, in six roundings; infinite where it overflows, NaN below zero.
     #[must_use]
     pub fn velocity(&self, u: f64) -> f64 {
+        if !(u > 0.0 && u.is_finite() && self.factor.is_finite()) {
+            return if u >= 0.0 && self.factor.is_finite() { u } else { f64::NAN };
+        }
+        let (u, u_exponent) = normalized(u);
+        let (factor, factor_exponent) = normalized(self.factor);
         let u2 = u * u;
-        u2 * u2 * u / self.factor
+        let exponent = (5 * u_exponent - factor_exponent).clamp(-1200, 1200);
+        let half = exponent / 2;
+        u2 * u2 * u / factor * power_of_two(half) * power_of_two(exponent - half)
     }
 
     /// Returns the coefficient of restitution at an impact velocity; NaN below zero.
@@ -82,7 +103,7 @@ impl Restitution {
     pub fn epsilon(&self, velocity: f64) -> f64 {
         let x = self.factor * velocity;
         if !is_ordinary(x) {
-            return epsilon(fifth_root(x), self.end);
+            return epsilon(self.u(velocity), self.end);
         }
         match self.end {
             End::ZeroCompression => zero_compression::epsilon_of_root(Root::of(x)),
@@ -103,5 +124,60 @@ impl Restitution {
         for (velocity, out) in velocities.iter().zip(out) {
             *out = self.epsilon(*velocity);
         }
+    }
+}
+
+/// `2^exponent` of a normal number.
+fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(u64::from((1023 + exponent).unsigned_abs()) << 52)
+}
+
+/// Splits a positive finite number into one of `[1, 2)` and its exponent.
+fn normalized(x: f64) -> (f64, i32) {
+    let (x, lifted) = if x < f64::MIN_POSITIVE { (x * power_of_two(60), 60) } else { (x, 0) };
+    let exponent = (x.to_bits() >> 52) as i32 - 1023;
+    (x * power_of_two(-exponent / 2) * power_of_two(-exponent + exponent / 2), exponent - lifted)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ENDS: [End; 2] = [End::ZeroCompression, End::ZeroForce];
+
+    #[test]
+    fn a_velocity_below_zero_has_no_coefficient_however_small() {
+        for end in ENDS {
+            for factor in [1e-300, 1.0, 1e300] {
+                let law = Restitution::from_factor(factor, end);
+                for velocity in [-5e-324, -1e-310, -1.0, -f64::MAX, f64::NEG_INFINITY, f64::NAN, -f64::NAN] {
+                    assert!(law.epsilon(velocity).is_nan(), "{velocity:e}");
+                    assert!(law.one_minus_epsilon(velocity).is_nan() && law.u(velocity).is_nan());
+                    assert!(law.velocity(velocity).is_nan());
+                }
+                assert_eq!((law.epsilon(-0.0), law.one_minus_epsilon(-0.0)), (1.0, 0.0));
+                assert_eq!((law.epsilon(f64::INFINITY), law.velocity(f64::INFINITY)), (0.0, f64::INFINITY));
+            }
+        }
+    }
+
+    #[test]
+    fn products_beyond_the_range_have_their_root() {
+        for (factor, velocity, u) in [
+            (1e300, 1e300, 1e120),
+            (1e-300, 1e-300, 1e-120),
+            (1e300, 1e-300, 1.0),
+            (f64::MAX, f64::MAX, 2.003_946_966_571_920_8e123), // MAX^(2/5)
+            (f64::MIN_POSITIVE, 5e-324, 6.430_219_789_291_553_4e-127),
+        ] {
+            let law = Restitution::from_factor(factor, End::ZeroForce);
+            assert!((law.u(velocity) / u - 1.0).abs() <= 1e-14, "{:e}", law.u(velocity));
+            let back = law.velocity(u) / velocity;
+            assert!(velocity < f64::MIN_POSITIVE || (back - 1.0).abs() <= 1e-13, "{back}");
+        }
+        let fast = Restitution::from_factor(1e300, End::ZeroForce);
+        assert!((fast.epsilon(1e300) / 1.310_370_697_104_448_2e-200 - 1.0).abs() < 1e-15);
+        let slow = Restitution::from_factor(1e-300, End::ZeroCompression);
+        assert!((slow.one_minus_epsilon(1e-300) / 1.153_448_858_095_288_8e-120 - 1.0).abs() < 1e-14);
     }
 }

@@ -4,13 +4,15 @@ use crate::fifth_root::Root;
 use crate::rounding::{multiply_add, two_product};
 use crate::tables::zero_compression::{GRID, NEAR, PIECES, R5};
 
-pub(crate) use crate::tables::zero_compression::{FAR, NEAR_END};
+pub(crate) use crate::tables::zero_compression::NEAR_END;
 
 /// What the rounded `R^5` lacks, relative to it.
 const R5_RESIDUAL: f64 = R5[1] / R5[0];
 
 /// Below, `epsilon` is 1; the table gives that but for its rounding.
 const NOTHING_LOST: f64 = f64::EPSILON / 16.0;
+/// From here on an argument is rounded beyond the table.
+pub(crate) const TABLE_END: f64 = GRID.end(PIECES.len());
 /// Below, no power of `u` overflows and no `u^(-5)` is subnormal.
 pub(crate) const LARGE: f64 = f64::from_bits((1023 + 150) << 52);
 
@@ -23,7 +25,7 @@ pub(crate) fn epsilon(u: f64) -> f64 {
     }
 }
 
-/// `epsilon` for `0 <= u < FAR` without a branch, for loops over slices.
+/// `epsilon` for `0 <= u < TABLE_END` without a branch, for loops over slices.
 #[inline(always)]
 pub(crate) fn epsilon_within(u: f64) -> f64 {
     let (index, centre) = GRID.locate(u);
@@ -35,7 +37,7 @@ pub(crate) fn epsilon_within(u: f64) -> f64 {
 #[inline(always)]
 pub(crate) fn epsilon_to_large(u: f64) -> f64 {
     let (within, beyond) = (epsilon_within(u), inverse_fifth_power(u, 0.0));
-    if u < FAR { within } else { beyond }
+    if u < TABLE_END { within } else { beyond }
 }
 
 #[inline(always)]
@@ -74,7 +76,7 @@ fn far_root(root: Root) -> f64 {
     beyond(u, root.distance(u))
 }
 
-/// `epsilon(u + low)` for `u >= FAR`, for next to no `u`, and for what is not a velocity.
+/// `epsilon(u + low)` for `u >= TABLE_END`, for next to no `u`, and for what is not a velocity.
 ///
 /// ```text
 /// epsilon = R^5/u^5 (1 + O(1e-18))

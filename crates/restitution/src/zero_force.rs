@@ -5,8 +5,10 @@ use crate::pieces::{Grid, polynomial};
 use crate::rounding::{multiply_add, square_root, two_product};
 use crate::tables::zero_force::{BEYOND, GRID, LIMIT, NEAR_HALVES, NEAR_WHOLES, PIECES};
 
-pub(crate) use crate::tables::zero_force::{FAR, NEAR_END};
+pub(crate) use crate::tables::zero_force::NEAR_END;
 
+/// From here on an argument is rounded beyond the table.
+pub(crate) const TABLE_END: f64 = GRID.end(PIECES.len());
 /// Pieces of 1/32 of a factor of two in `u^(-1/3) + 1/16`.
 const GRID_BEYOND: Grid = Grid::new(1.0 / 16.0, 5, 0.0);
 
@@ -22,14 +24,14 @@ pub(crate) fn epsilon(u: f64) -> f64 {
     }
 }
 
-/// `epsilon` for `NEAR_END <= u < FAR` without a branch, for loops over slices.
+/// `epsilon` for `NEAR_END <= u < TABLE_END` without a branch, for loops over slices.
 #[inline(always)]
 pub(crate) fn epsilon_within(u: f64) -> f64 {
     let (index, centre) = GRID.locate(u);
     PIECES[index.min(PIECES.len() - 1)].value(u - centre)
 }
 
-/// `epsilon` for `0 <= u < FAR` with a selection in place of a branch.
+/// `epsilon` for `0 <= u < TABLE_END` with a selection in place of a branch.
 #[inline(always)]
 pub(crate) fn epsilon_to_far(u: f64) -> f64 {
     let (near, within) = (1.0 - near(u), epsilon_within(u));
@@ -80,7 +82,7 @@ fn far_root(root: Root) -> f64 {
     beyond(u, root.distance(u))
 }
 
-/// `epsilon(u + low)` for `u >= FAR`, and what is not a velocity.
+/// `epsilon(u + low)` for `u >= TABLE_END`, and what is not a velocity.
 ///
 /// ```text
 /// epsilon = (3/2)^(2/3) u^(-5/3) (1 + s(u^(-1/3)))
@@ -94,10 +96,13 @@ fn beyond(u: f64, low: f64) -> f64 {
     if u < LARGE {
         return if u >= 0.0 { power_law(u, low, 1.0) } else { f64::NAN };
     }
+    if u.is_nan() {
+        return u; // the exponent of a number is what the power law starts from
+    }
     if u.is_infinite() {
         return 0.0;
     }
-    power_law(u * SCALE, low * SCALE, SCALED_ROOT) * SCALED_POWER // NaN comes through
+    power_law(u * SCALE, low * SCALE, SCALED_ROOT) * SCALED_POWER
 }
 
 /// The power law, with `u^(-1/3) = r (1 - d)^(-1/3)`, `d = 1 - u r^3`, and `r` of 17 bits so that its
