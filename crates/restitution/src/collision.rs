@@ -1,16 +1,8 @@
 //! A viscoelastic contact: Hertz's law and its dissipative constant.
 
-use crate::error::{at_least_zero, in_range, positive};
+use crate::error::{at_least_zero, finite, in_range, positive};
+use crate::tables::constants::{DELTA_OVER_U, ELASTIC_COMPRESSION, ELASTIC_DURATION, SLOPE};
 use crate::{Contact, Course, End, MaterialError, Restitution, fifth_root};
-
-/// `-C_1`, the slope of `epsilon` at `u = 0` (eqs. A32, 31 of \[RPBS1999\]).
-pub(crate) const SLOPE: f64 = 1.153_448_858_095_288;
-/// `(5/4)^(3/5)`, which leads from `u` to `delta` of eq. (14).
-const DELTA_OVER_U: f64 = 1.143_262_629_818_316;
-/// `2 T`, the duration of an undamped collision in units of `tau`.
-const ELASTIC_DURATION: f64 = 3.218_065_459_719_043;
-/// `(5/4)^(2/5)`, the maximal compression of an undamped collision in units of `g tau`.
-const ELASTIC_COMPRESSION: f64 = 1.093_362_073_943_278_1;
 
 /// A contact with the force `rho (xi^(3/2) + (3/2) A sqrt(xi) xi')` (eq. 5 of \[RPBS1999\]).
 ///
@@ -96,7 +88,7 @@ impl ViscoelasticContact {
     /// [`MaterialError::Negative`] for a velocity below zero, [`MaterialError::OutOfRange`].
     pub fn u(&self, velocity: f64) -> Result<f64, MaterialError> {
         let u = 1.5 * self.a * self.contact.rate() * fifth_root(at_least_zero("velocity", velocity)?);
-        if u.is_finite() { Ok(u) } else { Err(MaterialError::OutOfRange { quantity: "damping parameter u" }) }
+        finite("damping parameter u", u)
     }
 
     /// The coefficient `delta = (5/4)^(3/5) u` of the dimensionless equation (10), eq. (14).
@@ -105,7 +97,7 @@ impl ViscoelasticContact {
     ///
     /// As [`u`](Self::u).
     pub fn delta(&self, velocity: f64) -> Result<f64, MaterialError> {
-        Ok(DELTA_OVER_U * self.u(velocity)?)
+        finite("coefficient delta", DELTA_OVER_U * self.u(velocity)?)
     }
 
     /// The characteristic velocity `g* = (1.15344... (3/2) A (rho/m_eff)^(2/5))^(-5)` of eq. (31), in m/s.
@@ -115,7 +107,7 @@ impl ViscoelasticContact {
     /// [`MaterialError::OutOfRange`] if there is no damping, or so little that f64 cannot hold `g*`.
     pub fn characteristic_velocity(&self) -> Result<f64, MaterialError> {
         let slope = SLOPE * 1.5 * self.a * self.contact.rate();
-        in_range("characteristic velocity g*", slope.powi(-5))
+        in_range("characteristic velocity g*", slope.powi(5)).map(f64::recip)
     }
 
     /// The coefficient of restitution at impact velocity `velocity` (m/s).
@@ -129,7 +121,7 @@ impl ViscoelasticContact {
 
     /// The same as a function of velocity alone, for the inner loop of a simulation.
     ///
-    /// NaN at every velocity if there is no damping.
+    /// NaN at every velocity if there is no damping, or so little or so much of it that `u_1^5` is beyond f64.
     ///
     /// # Examples
     ///
@@ -154,7 +146,7 @@ impl ViscoelasticContact {
     ///
     /// As [`Contact::time_unit`].
     pub fn elastic_duration(&self, velocity: f64) -> Result<f64, MaterialError> {
-        Ok(ELASTIC_DURATION * self.contact.time_unit(velocity)?)
+        in_range("duration", ELASTIC_DURATION * self.contact.time_unit(velocity)?)
     }
 
     /// The maximal compression without damping, `(5/4)^(2/5) g tau`, in m; closed form.
@@ -165,7 +157,7 @@ impl ViscoelasticContact {
     ///
     /// As [`Contact::time_unit`].
     pub fn elastic_compression(&self, velocity: f64) -> Result<f64, MaterialError> {
-        Ok(ELASTIC_COMPRESSION * velocity * self.contact.time_unit(velocity)?)
+        in_range("maximal compression", ELASTIC_COMPRESSION * velocity * self.contact.time_unit(velocity)?)
     }
 
     /// The course of the damped collision, in s and m; `None` for `u` beyond [`LARGEST_FOLLOWED_U`](crate::LARGEST_FOLLOWED_U).
@@ -175,10 +167,16 @@ impl ViscoelasticContact {
     /// As [`u`](Self::u) and [`Contact::time_unit`].
     pub fn course(&self, velocity: f64, end: End) -> Result<Option<Course>, MaterialError> {
         let time = self.contact.time_unit(velocity)?;
-        Ok(Course::follow(self.u(velocity)?, end).map(|course| Course {
-            time_to_turning: time * course.time_to_turning,
-            maximal_compression: velocity * time * course.maximal_compression,
-            duration: time * course.duration,
+        let Some(course) = Course::follow(self.u(velocity)?, end) else {
+            return Ok(None);
+        };
+        Ok(Some(Course {
+            time_to_turning: in_range("time to the turning point", time * course.time_to_turning)?,
+            maximal_compression: in_range(
+                "maximal compression",
+                velocity * time * course.maximal_compression,
+            )?,
+            duration: in_range("duration", time * course.duration)?,
         }))
     }
 }

@@ -1,6 +1,6 @@
 //! The dissipative constant A of a material from its viscosities.
 
-use crate::error::at_least_zero;
+use crate::error::{at_least_zero, finite};
 use crate::{Material, MaterialError};
 
 /// Which formula turns viscosities into the dissipative constant `A`.
@@ -72,16 +72,17 @@ pub fn dissipative_constant(
             return Err(MaterialError::NothingDeforms { quantity: "sum 3 eta_2 + 2 eta_1" });
         }
         DissipationFormula::Equation4 => {
-            let difference = 3.0 * eta_2 - eta_1;
-            let viscosity = difference * (difference / (3.0 * eta_2 + 2.0 * eta_1)) / 3.0;
-            viscosity * ((1.0 - nu) * (1.0 + nu) * (1.0 - 2.0 * nu) / (nu * nu)) / young
+            let larger = eta_1.max(eta_2); // the rest are ratios, which neither overflow nor vanish together
+            let (shear, bulk) = (eta_1 / larger, eta_2 / larger);
+            let viscosity = (3.0 * bulk - shear).powi(2) / (3.0 * bulk + 2.0 * shear) / 3.0;
+            viscosity * ((1.0 - nu) * (1.0 + nu) * (1.0 - 2.0 * nu) / nu / nu) * (larger / young)
         }
         DissipationFormula::Goldobin2015 => {
             let shear = 2.0 / 3.0 * eta_1 * (1.0 - nu + nu * nu);
-            (1.0 + nu) / (1.0 - nu) * (shear + eta_2 * (1.0 - 2.0 * nu).powi(2)) / young
+            (1.0 + nu) / (1.0 - nu) * (shear / young + eta_2 / young * (1.0 - 2.0 * nu).powi(2))
         }
     };
-    if a.is_finite() { Ok(a) } else { Err(MaterialError::OutOfRange { quantity: "dissipative constant" }) }
+    finite("dissipative constant", a)
 }
 
 /// Returns the dissipative constant of a contact between two materials, in s.
@@ -122,6 +123,6 @@ pub fn combined_dissipative_constant(
     let (d_1, d_2) = (one.0.compliance(), other.0.compliance());
     let a_1 = at_least_zero("dissipative constant", one.1)?;
     let a_2 = at_least_zero("dissipative constant", other.1)?;
-    let share = d_1 / (d_1 + d_2);
+    let share = 1.0 / (1.0 + d_2 / d_1);
     Ok(a_2 + share * (a_1 - a_2))
 }

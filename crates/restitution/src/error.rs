@@ -125,3 +125,8 @@ pub(crate) fn at_least_zero(quantity: &'static str, value: f64) -> Result<f64, M
 pub(crate) fn in_range(quantity: &'static str, value: f64) -> Result<f64, MaterialError> {
     if value > 0.0 && value.is_normal() { Ok(value) } else { Err(MaterialError::OutOfRange { quantity }) }
 }
+
+/// Returns a computed `value` if it is finite: it may vanish, but neither overflow nor be undefined.
+pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64, MaterialError> {
+    if value.is_finite() { Ok(value) } else { Err(MaterialError::OutOfRange { quantity }) }
+}

@@ -1,7 +1,7 @@
 //! An isotropic solid and a sphere made of it.
 
 use crate::MaterialError;
-use crate::error::positive;
+use crate::error::{in_range, positive};
 
 /// An isotropic elastic solid: Young's modulus, Poisson's ratio and mass density.
 ///
@@ -30,13 +30,17 @@ impl Material {
     /// # Errors
     ///
     /// [`MaterialError::NotPositive`] for a modulus or density that is not positive and finite,
-    /// [`MaterialError::PoissonRatio`] outside (-1, 1/2).
+    /// [`MaterialError::PoissonRatio`] outside (-1, 1/2), [`MaterialError::OutOfRange`] if f64 cannot hold the
+    /// compliance `(1 - nu^2)/Y` or the speed of sound.
     pub fn new(young: f64, poisson: f64, density: f64) -> Result<Self, MaterialError> {
         let young = positive("Young modulus", young)?;
         if !(poisson > -1.0 && poisson < 0.5) {
             return Err(MaterialError::PoissonRatio { value: poisson });
         }
-        Ok(Self { young, poisson, density: positive("density", density)? })
+        let material = Self { young, poisson, density: positive("density", density)? };
+        in_range("compliance of the material", material.compliance())?;
+        in_range("ratio of Young modulus and density", young / density)?;
+        Ok(material)
     }
 
     /// Young's modulus `Y`, in Pa.
@@ -93,9 +97,12 @@ impl Sphere {
     ///
     /// # Errors
     ///
-    /// [`MaterialError::NotPositive`] for a radius that is not positive and finite.
+    /// [`MaterialError::NotPositive`] for a radius that is not positive and finite, [`MaterialError::OutOfRange`]
+    /// if f64 cannot hold the mass.
     pub fn new(material: Material, radius: f64) -> Result<Self, MaterialError> {
-        Ok(Self { material, radius: positive("radius", radius)? })
+        let sphere = Self { material, radius: positive("radius", radius)? };
+        in_range("mass of the sphere", sphere.mass())?;
+        Ok(sphere)
     }
 
     /// What it is made of.

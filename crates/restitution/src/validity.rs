@@ -1,6 +1,6 @@
 //! Whether a collision is one that the theory is about.
 
-use crate::error::positive;
+use crate::error::{finite, positive};
 use crate::{End, Material, MaterialError, ViscoelasticContact};
 
 /// The ratio below which a condition "much smaller" is said to hold: a choice, not a theorem.
@@ -82,9 +82,18 @@ impl Validity {
             None => (pair.elastic_compression(velocity)?, pair.elastic_duration(velocity)?),
         };
         Ok(Self {
-            velocity_over_sound: velocity / material.sound_speed(),
-            relaxation_over_duration: pair.dissipative_constant() / duration,
-            contact_over_radius: (compression / pair.contact().effective_radius()).sqrt(),
+            velocity_over_sound: finite(
+                "velocity over the speed of sound",
+                velocity / material.sound_speed(),
+            )?,
+            relaxation_over_duration: finite(
+                "relaxation time over duration",
+                pair.dissipative_constant() / duration,
+            )?,
+            contact_over_radius: finite(
+                "contact radius over effective radius",
+                (compression / pair.contact().effective_radius()).sqrt(),
+            )?,
         })
     }
 

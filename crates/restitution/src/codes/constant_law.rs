@@ -1,6 +1,6 @@
-use crate::error::at_least_zero;
+use crate::error::{at_least_zero, finite};
 use crate::{End, MaterialError};
-use core::f64::consts::{FRAC_1_SQRT_2, PI};
+use core::f64::consts::PI;
 
 /// The damping `xi^(1/4)` that makes the coefficient of restitution independent of velocity.
 ///
@@ -9,7 +9,8 @@ use core::f64::consts::{FRAC_1_SQRT_2, PI};
 ///
 /// ```text
 /// zero compression:  epsilon = exp(-pi zeta/sqrt(1-zeta^2))
-/// zero force:        epsilon = exp(-zeta/sqrt(1-zeta^2) (pi - atan(2 zeta sqrt(1-zeta^2)/(1 - 2 zeta^2))))
+/// zero force:        epsilon = exp(-2 zeta/sqrt(1-zeta^2) acos(zeta))
+///                            = exp(-2 zeta/sqrt(zeta^2-1) ln(zeta + sqrt(zeta^2-1)))   for zeta > 1
 /// ```
 ///
 /// The variable `x^(5/4)` turns the equation into a linear spring and dashpot, zero force into its zero force. Not
@@ -50,9 +51,10 @@ impl ConstantRestitution {
     ///
     /// # Errors
     ///
-    /// [`MaterialError::Negative`] below zero.
+    /// [`MaterialError::Negative`] below zero, [`MaterialError::OutOfRange`] if `zeta` is beyond f64.
     pub fn of_betan(betan: f64) -> Result<Self, MaterialError> {
-        Ok(Self { zeta: 2.0 * 0.3_f64.sqrt() * at_least_zero("damping ratio betan", betan)? })
+        let zeta = 2.0 * 0.3_f64.sqrt() * at_least_zero("damping ratio betan", betan)?;
+        Ok(Self { zeta: finite("damping ratio zeta", zeta)? })
     }
 
     /// YADE's damping ratio.
@@ -73,13 +75,12 @@ impl ConstantRestitution {
             End::ZeroCompression => (-PI * zeta / ((1.0 - zeta) * (1.0 + zeta)).sqrt()).exp(),
             End::ZeroForce if zeta < 1.0 => {
                 let root = ((1.0 - zeta) * (1.0 + zeta)).sqrt();
-                let angle = (2.0 * zeta * root).atan2(2.0 * (FRAC_1_SQRT_2 - zeta) * (FRAC_1_SQRT_2 + zeta));
-                (-zeta / root * (PI - angle)).exp()
+                (-2.0 * root.atan2(zeta) * (zeta / root)).exp()
             }
             End::ZeroForce if zeta == 1.0 => (-2.0_f64).exp(),
             End::ZeroForce => {
-                let root = ((zeta - 1.0) * (zeta + 1.0)).sqrt();
-                (-2.0 * (zeta + root).ln() * (zeta / root)).exp()
+                let share = ((1.0 - 1.0 / zeta) * (1.0 + 1.0 / zeta)).sqrt(); // sqrt(zeta^2 - 1)/zeta, of any zeta
+                (-2.0 * (zeta.ln() + share.ln_1p()) / share).exp()
             }
         }
     }

@@ -1,5 +1,5 @@
 use super::{Input, plane_strain};
-use crate::error::at_least_zero;
+use crate::error::{at_least_zero, finite, in_range};
 use crate::{Contact, MaterialError, ViscoelasticContact};
 use core::fmt;
 
@@ -39,10 +39,11 @@ impl EsysParticle {
     ///
     /// # Errors
     ///
-    /// [`MaterialError::PoissonRatio`] outside (-1, 1/2).
+    /// [`MaterialError::PoissonRatio`] outside (-1, 1/2), [`MaterialError::OutOfRange`].
     pub fn new(pair: &ViscoelasticContact, poisson: f64) -> Result<Self, MaterialError> {
         let young = 2.0 * pair.contact().effective_modulus() * plane_strain(poisson)?;
-        Ok(Self { a: 1.5 * pair.dissipative_constant(), young, poisson })
+        let a = finite("damping constant A", 1.5 * pair.dissipative_constant())?;
+        Ok(Self { a, young: in_range("Young modulus", young)?, poisson })
     }
 
     /// Returns what the input means for particles of the given effective radius (m) and mass (kg).

@@ -1,4 +1,5 @@
 use super::{Input, from_stiffness_and_damping, plane_strain, stiffness_and_damping};
+use crate::error::{at_least_zero, in_range, positive};
 use crate::{End, MaterialError, ViscoelasticContact};
 use core::fmt;
 
@@ -53,9 +54,15 @@ impl LammpsGranular {
     ///
     /// # Errors
     ///
-    /// [`MaterialError::PoissonRatio`] outside (-1, 1/2).
+    /// [`MaterialError::PoissonRatio`] outside (-1, 1/2), [`MaterialError::NotPositive`] or
+    /// [`MaterialError::Negative`] for a modulus or a damping that means nothing, [`MaterialError::OutOfRange`].
     pub fn of_material(young: f64, poisson: f64, eta_n0: f64, end: End) -> Result<Self, MaterialError> {
-        Ok(Self { k_n: 2.0 / 3.0 * young / plane_strain(poisson)?, eta_n0, end })
+        let k_n = 2.0 / 3.0 * positive("Young modulus", young)? / plane_strain(poisson)?;
+        Ok(Self {
+            k_n: in_range("stiffness k_n", k_n)?,
+            eta_n0: at_least_zero("damping eta_n0", eta_n0)?,
+            end,
+        })
     }
 
     /// Returns what the input means for particles of the given effective radius (m) and mass (kg).

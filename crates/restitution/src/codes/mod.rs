@@ -17,7 +17,7 @@ pub use liggghts::Liggghts;
 pub use mercury::MercuryDpm;
 pub use yade::Yade;
 
-use crate::error::{at_least_zero, in_range, positive};
+use crate::error::{at_least_zero, finite, in_range, positive};
 use crate::{Contact, MaterialError, ViscoelasticContact};
 use core::fmt;
 
@@ -53,7 +53,7 @@ fn from_stiffness_and_damping(
 ) -> Result<ViscoelasticContact, MaterialError> {
     let contact = Contact::new(radius, mass, 0.75 * positive("stiffness k_n", k_n)?)?;
     let a = at_least_zero("damping eta_n0", damping)? * (mass / k_n) / 1.5;
-    ViscoelasticContact::new(contact, a)
+    ViscoelasticContact::new(contact, finite("dissipative constant A", a)?)
 }
 
 /// `1 - nu^2`.

@@ -1,5 +1,5 @@
 use super::{Input, plane_strain};
-use crate::error::positive;
+use crate::error::{finite, positive};
 use crate::{Contact, End, MaterialError, ViscoelasticContact, fifth_root};
 use core::fmt;
 
@@ -86,10 +86,10 @@ impl Yade {
     ///
     /// # Errors
     ///
-    /// [`MaterialError::Epsilon`] unless `0 < en < 1`, [`MaterialError::NotPositive`].
+    /// [`MaterialError::Epsilon`] unless `0 < en < 1`, [`MaterialError::NotPositive`], [`MaterialError::OutOfRange`].
     pub fn u(&self, velocity: f64) -> Result<f64, MaterialError> {
         let ratio = positive("velocity", velocity)? / self.checked()?.vn;
-        Ok(inverse_formula(self.en).powi(2) * fifth_root(ratio))
+        finite("damping parameter u", inverse_formula(self.en).powi(2) * fifth_root(ratio))
     }
 
     /// The coefficient of restitution at impact velocity `velocity` (m/s) that the input means.
@@ -118,7 +118,7 @@ impl Yade {
     pub fn contact(&self, radius: f64, mass: f64) -> Result<ViscoelasticContact, MaterialError> {
         let contact = Contact::new(radius, mass, self.checked()?.effective_modulus)?;
         let a = self.u(self.vn)? / (1.5 * contact.rate() * fifth_root(self.vn));
-        ViscoelasticContact::new(contact, a)
+        ViscoelasticContact::new(contact, finite("dissipative constant A", a)?)
     }
 }
 
