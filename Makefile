@@ -3,7 +3,7 @@ CARGO ?= cargo
 .DEFAULT_GOAL := help
 SIZE ?= minutes
 SEED ?= 1
-.PHONY: help table test attack test-tools tools fmt clippy doc bench bench-peers clean
+.PHONY: help table tables test attack test-tools tools fmt clippy doc bench bench-peers clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -12,6 +12,14 @@ table: tools ## build the command and print C_1..C_8 and a_1..a_8 to 20 digits
 	@echo "Building; GMP and MPFR come from source, the first time takes a few minutes."
 	@$(CARGO) build --release --locked --package restitution-cli
 	@$(CARGO) run --release --locked --quiet --package restitution-cli -- table
+
+TABLES = crates/restitution/src/tables
+tables: tools ## regenerate every generated table of the evaluator
+	$(CARGO) build --release --locked --quiet --package restitution-cli
+	target/release/restitution export --lang evaluator-constants -o $(TABLES)/constants.rs
+	target/release/restitution export --lang evaluator-tables -o $(TABLES)/zero_compression.rs
+	target/release/restitution export --lang evaluator-tables --end zero-force -o $(TABLES)/zero_force.rs
+	target/release/restitution export --lang evaluator-tiers -o $(TABLES)/tiers.rs
 
 test: tools test-tools fmt clippy doc ## check formats, lints, documentation; run every test
 	CI=true $(CARGO) test --workspace --locked --quiet
@@ -49,7 +57,7 @@ tools: # what a build needs: m4 is installed if it is missing, the rest is asked
 	@sh scripts/need cargo cc make m4
 
 test-tools: tools # what the tests of exported sources need beyond a build; installed if missing
-	@sh scripts/need cargo-fmt cargo-clippy c++ gfortran numpy
+	@sh scripts/need cargo-fmt cargo-clippy c++ gfortran numpy octave-cli
 
 clean: ## remove what was built
 	$(CARGO) clean

@@ -1,221 +1,136 @@
 //! Exported sources are compiled, run, and compared with certified values.
 
+mod drivers;
+mod hostile;
+mod names;
+mod tools;
+
 use crate::certified::{exact, reference};
+use drivers::{DRIVERS, Driver};
 use restitution::End;
-use restitution_export::{Language, Listing, design};
+use restitution_export::{Beyond, Language, Listing, Request};
 use rug::Float;
 use std::fs;
-use std::path::Path;
-use std::process::Command;
 use std::sync::OnceLock;
+use tools::run;
 
 /// Points of each comparison.
-const POINTS: usize = 10_000;
-/// Tolerance, range and end of contact of the sources that are tried.
-const REQUESTS: [(f64, (f64, f64), End); 4] = [
-    (1e-3, (0.0, 2.0), End::ZeroCompression),
-    (1e-9, (0.0, 8.0), End::ZeroForce),
-    (1e-14, (0.01, 40.0), End::ZeroCompression),
-    (2e-15, (0.0, 10.0), End::ZeroForce),
-];
+const POINTS: usize = 3000;
 
-/// Reads arguments, one a line, and prints values, for each language.
-const RUST_DRIVER: &str = r#"
-mod evaluator;
-fn main() {
-    for line in std::io::stdin().lines() {
-        println!("{:e}", evaluator::epsilon(line.unwrap().trim().parse().unwrap()));
-    }
+const fn request(tolerance: f64, range: (f64, f64), beyond: Beyond) -> Request {
+    Request { tolerance, range, beyond }
 }
-"#;
-const C_DRIVER: &str = r#"
-#include "evaluator.h"
-#include <stdio.h>
-int main(void)
-{
-    double u, single, array;
-    while (scanf("%lf", &u) == 1) {
-        single = restitution_epsilon(u);
-        restitution_epsilon_array(&u, &array, 1);
-        if (memcmp(&single, &array, sizeof single))
-            return 1;
-        printf("%.17e\n", single);
-    }
-    return 0;
-}
-"#;
-const FORTRAN_DRIVER: &str = r"
-program driver
-    use, intrinsic :: iso_fortran_env, only: dp => real64
-    use restitution, only: restitution_epsilon
-    implicit none
-    real(dp) :: u
-    integer :: status
-    do
-        read (*, *, iostat=status) u
-        if (status /= 0) exit
-        print '(es25.17e3)', restitution_epsilon(u)
-    end do
-end program
-";
-const PYTHON_DRIVER: &str = r"
-import sys
-import numpy as np
-from evaluator import epsilon
-numbers = [float(line) for line in sys.stdin]
-single = [epsilon(u) for u in numbers]
-several = epsilon(np.array(numbers))
-assert several.shape == (len(numbers),) and all(several == np.array(single))
-assert np.isnan(epsilon(np.array([-1.0, np.nan, 1e9]))).all()
-for value in single:
-    print(repr(value))
-";
+
+/// What is tried in every language.
+const REQUESTS: [(Request, End); 4] = [
+    (request(1e-3, (0.0, 2.0), Beyond::NotANumber), End::ZeroCompression),
+    (request(1e-9, (0.0, 8.0), Beyond::Law), End::ZeroForce),
+    (request(1e-12, (0.01, 40.0), Beyond::Law), End::ZeroCompression),
+    (request(2e-15, (0.0, 10.0), Beyond::NotANumber), End::ZeroForce),
+];
 
 fn listings() -> &'static [Listing] {
     static LISTINGS: OnceLock<Vec<Listing>> = OnceLock::new();
-    LISTINGS.get_or_init(|| {
-        let listing = |(tolerance, range, end)| {
-            let reference = reference(end);
-            Listing::new(reference, design(reference, tolerance, range).unwrap(), tolerance, range)
-        };
-        REQUESTS.map(listing).into()
-    })
+    LISTINGS
+        .get_or_init(|| REQUESTS.map(|(request, end)| Listing::new(reference(end), request).unwrap()).into())
 }
 
-/// Runs `command`; `None`, with a line that says so, if the tool is missing, which continuous
-/// integration does not allow.
-fn run(command: &mut Command, input: Option<&Path>) -> Option<String> {
-    if let Some(input) = input {
-        command.stdin(fs::File::open(input).unwrap());
-    }
-    let tool = command.get_program().to_string_lossy().into_owned();
-    match command.output() {
-        Ok(output) => {
-            let error = String::from_utf8_lossy(&output.stderr);
-            assert!(output.status.success(), "{command:?}: {error}");
-            Some(String::from_utf8(output.stdout).unwrap())
-        }
-        Err(error) => skip(&tool, &error.to_string()),
-    }
+/// `epsilon`, `1 - epsilon` and the slope as a source gives them.
+type Values = [f64; 3];
+
+/// Writes the source and what drives it, runs the self-check and the driver; `None` if the tool is missing.
+fn values(driver: &Driver, listing: &Listing, flags: &[&str], arguments: &[f64]) -> Option<Vec<Values>> {
+    let folder = tempfile::tempdir().unwrap();
+    let language = Language::of(driver.language).unwrap();
+    let at = |name: &str| folder.path().join(name);
+    fs::write(at(&language.file.replace("NAME", "tried")), language.write(listing, "tried").unwrap())
+        .unwrap();
+    fs::write(at(driver.file), driver.source).unwrap();
+    let lines = |u: &f64| format!("{:016x}\n", u.to_bits());
+    fs::write(at("arguments"), arguments.iter().map(lines).collect::<String>()).unwrap();
+    let mut command = (driver.build)(folder.path(), flags)?;
+    let output = run(&mut command, Some(&at("arguments")))?;
+    let word = |word: &str| f64::from_bits(u64::from_str_radix(word.trim(), 16).unwrap());
+    let line = |line: &str| -> Values {
+        let words: Vec<f64> = line.split_whitespace().map(word).collect();
+        words.try_into().unwrap()
+    };
+    let values: Vec<Values> = output.lines().map(line).collect();
+    assert_eq!(values.len(), arguments.len());
+    Some(values)
 }
 
-fn skip(tool: &str, reason: &str) -> Option<String> {
-    assert!(std::env::var_os("CI").is_none(), "{tool} is missing ({reason}): make test-tools installs it");
-    eprintln!("skipped: {tool} is missing ({reason}); make test-tools installs it");
-    None
-}
-
-/// Writes the source and what drives it, runs the self-check and the driver, compares.
-fn check(language: Language, source: &str, driver: (&str, &str), build: impl Fn(&Path) -> Option<Command>) {
-    for listing in listings() {
-        let folder = tempfile::tempdir().unwrap();
-        let at = |name: &str| folder.path().join(name);
-        fs::write(at(source), language.write(listing)).unwrap();
-        fs::write(at(driver.0), driver.1).unwrap();
-        let arguments = arguments(listing.range);
-        fs::write(at("arguments"), arguments.iter().map(|u| format!("{u:e}\n")).collect::<String>()).unwrap();
-        let Some(mut evaluator) = build(folder.path()) else { return };
-        let Some(output) = run(&mut evaluator, Some(&at("arguments"))) else { return };
-        compare(listing, &arguments, &output, language);
-    }
-}
-
-fn arguments((low, high): (f64, f64)) -> Vec<f64> {
-    let spaced = |i: usize| low + (high - low) * (i as f64 / (POINTS - 1) as f64).powi(2);
+fn spaced((low, high): (f64, f64)) -> Vec<f64> {
+    let spaced = |i: usize| low + (high - low) * (i as f64 / (POINTS - 1) as f64).powi(3);
     (0..POINTS).map(|i| spaced(i).clamp(low, high)).collect()
 }
 
-fn compare(listing: &Listing, arguments: &[f64], output: &str, language: Language) {
-    let values: Vec<f64> = output.lines().map(|line| line.trim().parse().unwrap()).collect();
-    assert_eq!(values.len(), arguments.len());
-    let mut worst = 0.0_f64;
-    for (u, value) in arguments.iter().zip(&values) {
-        let (_, kept) = exact(reference(listing.end), *u);
-        worst = worst.max((Float::with_val(112, value - &kept) / kept).to_f64().abs());
+/// Every value is what the library gives, to the bit, and within the bounds that the source states.
+fn compare(driver: &Driver) {
+    for listing in listings() {
+        let arguments = spaced(listing.request.range);
+        let Some(values) = values(driver, listing, driver.plain, &arguments) else { return };
+        let (mut worst, mut worst_loss, mut worst_slope) = (0.0_f64, 0.0_f64, 0.0_f64);
+        for (u, [epsilon, loss, slope]) in arguments.iter().zip(&values) {
+            let (pieces, reference) = (&listing.pieces, reference(listing.end));
+            assert_eq!(*epsilon, pieces.epsilon(*u), "{}: {u:e}", driver.language);
+            assert_eq!(*slope, pieces.slope(*u), "{}: {u:e}", driver.language);
+            assert_eq!(*loss, listing.loss.at(pieces, *u), "{}: {u:e}", driver.language);
+            let (lost, kept) = exact(reference, *u);
+            let relative =
+                |value: f64, exact: &Float| (Float::with_val(112, value - exact) / exact).to_f64().abs();
+            worst = worst.max(relative(*epsilon, &kept));
+            if *u > 0.0 {
+                worst_loss = worst_loss.max(relative(*loss, &lost));
+                worst_slope = worst_slope.max(-slope.min(0.0));
+            }
+        }
+        println!("{}, {:?}: {worst:.2e} {worst_loss:.2e}", driver.language, listing.request);
+        assert!(worst <= listing.request.tolerance && worst <= listing.pieces.bound.total());
+        assert!(worst_loss <= listing.loss.bound);
+        assert!(0.0 < worst_slope && worst_slope < 1.5, "{worst_slope}");
     }
-    println!("{language:?}, {:e}, {:?}: {worst:.2e}", listing.tolerance, listing.end);
-    assert!(worst <= listing.tolerance && worst <= 1.01 * listing.pieces.bound.total());
 }
 
-fn command(program: &str, folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(program);
-    command.current_dir(folder).args(arguments);
-    command
+macro_rules! in_every_language {
+    ($($language:ident)*) => {
+        $(#[test]
+        fn $language() {
+            compare(DRIVERS.iter().find(|driver| driver.test == stringify!($language)).unwrap());
+        })*
+    };
 }
-
-/// Builds and runs the self-check, then builds the driver.
-fn compiled(folder: &Path, compiler: &str, self_check: &[&str], driver: &[&str]) -> Option<Command> {
-    run(&mut command(compiler, folder, self_check), None)?;
-    run(&mut Command::new(folder.join("check")), None)?;
-    run(&mut command(compiler, folder, driver), None)?;
-    Some(Command::new(folder.join("driver")))
-}
+in_every_language!(rust c cpp fortran python numpy matlab);
 
 #[test]
-fn rust() {
-    let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".into());
-    check(Language::Rust, "evaluator.rs", ("driver.rs", RUST_DRIVER), |folder| {
-        let flags = ["--edition=2021", "-O", "-Dwarnings", "-Adead_code", "-o"];
-        compiled(
-            folder,
-            &rustc,
-            &[&flags[..], &["check", "--test", "evaluator.rs"]].concat(),
-            &[&flags[..], &["driver", "driver.rs"]].concat(),
-        )
-    });
-}
-
-#[test]
-fn c_and_cpp() {
-    for (compiler, standard, language) in [("gcc", "-std=c99", "c"), ("g++", "-std=c++11", "c++")] {
-        check(Language::C, "evaluator.h", ("driver.c", C_DRIVER), |folder| {
-            let flags = [standard, "-O2", "-Wall", "-Wextra", "-pedantic", "-Werror", "-x", language];
-            compiled(
-                folder,
-                compiler,
-                &[&flags[..], &["-DRESTITUTION_SELF_CHECK", "evaluator.h", "-o", "check", "-lm"]].concat(),
-                &[&flags[..], &["driver.c", "-o", "driver", "-lm"]].concat(),
-            )
-        });
+fn every_language_has_a_driver_or_is_not_run() {
+    let not_run = ["julia"];
+    for language in restitution_export::LANGUAGES {
+        let driven = DRIVERS.iter().any(|driver| driver.language == language.name);
+        assert_ne!(driven, not_run.contains(&language.name), "{}", language.name);
     }
 }
 
 #[test]
-fn fortran() {
-    check(Language::Fortran, "evaluator.f90", ("driver.f90", FORTRAN_DRIVER), |folder| {
-        let flags = ["-std=f2008", "-O2", "-Wall", "-Werror", "-cpp"];
-        compiled(
-            folder,
-            "gfortran",
-            &[&flags[..], &["-DRESTITUTION_SELF_CHECK", "evaluator.f90", "-o", "check"]].concat(),
-            &[&flags[..], &["evaluator.f90", "driver.f90", "-o", "driver"]].concat(),
-        )
-    });
-}
-
-/// A Python that has NumPy: the first on the path, or the system's, for which packages install it.
-fn python_with_numpy() -> Option<&'static str> {
-    let has_numpy = |python: &&str| {
-        let import = Command::new(python).args(["-c", "import numpy"]).output();
-        import.is_ok_and(|output| output.status.success())
-    };
-    ["python3", "/usr/bin/python3"].into_iter().find(has_numpy)
-}
-
-#[test]
-fn python() {
-    let Some(python) = python_with_numpy() else {
-        skip("numpy", "no python3 can import it");
-        return;
-    };
-    check(Language::Python, "evaluator.py", ("driver.py", PYTHON_DRIVER), |folder| {
-        run(&mut command(python, folder, &["evaluator.py"]), None)?;
-        Some(command(python, folder, &["driver.py"]))
-    });
+fn what_is_observed_is_below_what_is_stated() {
+    for listing in listings() {
+        assert!(listing.observed.epsilon <= listing.pieces.bound.total());
+        assert!(listing.observed.loss <= listing.loss.bound);
+        assert!(listing.observed.slope <= 0.1, "{:?}", listing.observed);
+        assert!(listing.pieces.bound.total() <= listing.request.tolerance);
+    }
 }
 
 #[test]
 fn what_cannot_be_kept_is_refused() {
-    let refusal = design(reference(End::ZeroForce), 1e-16, (0.0, 8.0)).unwrap_err().to_string();
-    assert!(refusal.starts_with("no evaluator of at most 64 KiB keeps 1e-16"), "{refusal}");
+    let keeps = |tolerance: f64, end: End| {
+        let request = request(tolerance, (0.0, 8.0), Beyond::Law);
+        Listing::new(reference(end), request).map(|_| ()).map_err(|error| error.to_string())
+    };
+    let refusal = keeps(1e-15, End::ZeroForce).unwrap_err();
+    assert!(refusal.starts_with("no evaluator of at most 64 KiB keeps 1e-15"), "{refusal}");
+    assert_eq!(
+        keeps(1e-16, End::ZeroForce).unwrap_err(),
+        "a tolerance is a relative error: give one from 1e-15 to 0.1"
+    );
 }

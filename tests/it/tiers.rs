@@ -1,10 +1,23 @@
-//! The cheaper tiers keep their tolerance.
+//! The cheaper tiers keep their tolerance, start at 1 and never rise.
 
 use crate::certified::{exact, reference};
+use crate::support::{cases, generator};
+use proptest::prelude::Rng;
 use restitution::{epsilon, tiers};
 use rug::Float;
 
-macro_rules! check {
+macro_rules! for_every_tier {
+    ($check:ident) => {
+        $check!(tiers::ZERO_COMPRESSION_1E3);
+        $check!(tiers::ZERO_COMPRESSION_1E6);
+        $check!(tiers::ZERO_COMPRESSION_1E9);
+        $check!(tiers::ZERO_FORCE_1E3);
+        $check!(tiers::ZERO_FORCE_1E6);
+        $check!(tiers::ZERO_FORCE_1E9);
+    };
+}
+
+macro_rules! keeps_its_tolerance {
     ($tier:expr) => {{
         let tier = &$tier;
         let reference = reference(tier.end());
@@ -30,10 +43,33 @@ macro_rules! check {
 
 #[test]
 fn every_tier_keeps_its_tolerance() {
-    check!(tiers::ZERO_COMPRESSION_1E3);
-    check!(tiers::ZERO_COMPRESSION_1E6);
-    check!(tiers::ZERO_COMPRESSION_1E9);
-    check!(tiers::ZERO_FORCE_1E3);
-    check!(tiers::ZERO_FORCE_1E6);
-    check!(tiers::ZERO_FORCE_1E9);
+    for_every_tier!(keeps_its_tolerance);
+}
+
+/// Neighbouring f64s around every breakpoint, around random points, and around the end of the table.
+macro_rules! never_rises {
+    ($tier:expr) => {{
+        let tier = &$tier;
+        assert_eq!((tier.epsilon(0.0), tier.epsilon(-0.0), tier.epsilon(5e-324)), (1.0, 1.0, 1.0));
+        let mut random = generator(11, 1);
+        let breakpoints = (0..=8192).map(|i| f64::from(i) / 1024.0);
+        let mut draw = || f64::from(random.rng().next_u32()) / f64::from(u32::MAX);
+        let others: Vec<f64> = (0..cases(4000)).map(|_| draw().powi(3) * tier.far()).collect();
+        for (u, spacing) in breakpoints.chain(others).flat_map(|u| [(u, 0.0_f64), (u, 2e-16), (u, 1e-12)]) {
+            let mut x = (u - 16.0 * spacing.max(u * 1.2e-16)).max(0.0);
+            let mut last = tier.epsilon(x);
+            assert!((0.0..=1.0).contains(&last));
+            for _ in 0..32 {
+                let next = x.next_up().max(x + spacing);
+                let value = tier.epsilon(next);
+                assert!(value <= last, "{}: {x:e} {last:e}, {next:e} {value:e}", stringify!($tier));
+                (x, last) = (next, value);
+            }
+        }
+    }};
+}
+
+#[test]
+fn no_tier_creates_energy_or_rises() {
+    for_every_tier!(never_rises);
 }

@@ -1,5 +1,6 @@
 //! The constants of an undamped collision, as `restitution` carries them.
 
+use crate::evaluator_tables::HEAD;
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use std::fmt::Write as _;
@@ -31,10 +32,8 @@ pub fn constants() -> String {
     let twice = |ball: Ball| ball * ratio(2, 1) / step.clone();
     let slope = twice(power(&s) * beta(&s, 3));
     let duration = twice(power(&t) * beta(&t, 1));
-    let mut text = String::from(
-        "//! Constants of the undamped collision, each the f64 closest to its closed form.\n\
-         // Written by `restitution export --lang evaluator-constants`; compared by tests/it/tables_fresh.rs.\n",
-    );
+    let mut text =
+        format!("//! Constants of the undamped collision, each the f64 closest to its closed form.\n{HEAD}");
     for (name, what, value) in [
         ("SLOPE", "`-C_1`, the slope of `1 - epsilon` at `u = 0` (eqs. 31, A32 of \\[RPBS1999\\])", slope),
         ("DELTA_OVER_U", "`(5/4)^(3/5)`, which leads from `u` to `delta` of eq. (14)", power(&s)),

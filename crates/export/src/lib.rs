@@ -1,25 +1,35 @@
 //! `epsilon(u)` as source code: tables of polynomials made from certified values.
 //!
-//! [`Reference`] interpolates values of the certified integrator, [`design`] finds the cheapest table
-//! that keeps a tolerance on a range, a [`Listing`] measures it, and [`Language::write`] puts it down.
-//! `evaluator_tables` makes the tables of the crate `restitution` in the same way.
+//! [`Reference`] interpolates values of the certified integrator, [`design`] finds the cheapest table that keeps a
+//! tolerance on a range and falls from 1 in floating point too, a [`Listing`] measures it, and [`Language::write`]
+//! puts it down. The tables of the crate `restitution` are made in the same way.
 
+mod centred;
 mod chebyshev;
 mod constants;
 mod design;
 mod error;
 mod evaluator_tables;
+mod falling;
+mod grid;
 mod language;
 mod listing;
+mod loss;
 mod near_zero;
 mod pieces;
 mod reference;
+mod target;
+mod tier_tables;
 
 pub use constants::constants;
-pub use design::design;
+pub use design::{Beyond, Request, design};
 pub use error::ExportError;
-pub use evaluator_tables::{tier_tables, zero_compression_tables, zero_force_tables};
-pub use language::Language;
-pub use listing::Listing;
-pub use pieces::{Bound, Grid, Pieces, Variable};
+pub use evaluator_tables::{zero_compression_tables, zero_force_tables};
+pub use grid::Grid;
+pub use language::{LANGUAGES, Language};
+pub use listing::{CharacteristicVelocity, Listing, Observed};
+pub use loss::{Loss, Variable};
+pub use pieces::{Bound, Pieces, Shape};
 pub use reference::Reference;
+pub use target::Law;
+pub use tier_tables::tier_tables;

@@ -1,121 +1,247 @@
 //! What every exported source says, whatever its language.
 
-use super::pieces::{Bound, Pieces, Variable};
-use super::reference::Reference;
+use crate::design::{Beyond, Request, design};
+use crate::loss::Loss;
+use crate::pieces::{Bound, Pieces};
+use crate::{ExportError, Reference};
 use restitution::End;
 use rug::Float;
+use rug::float::Constant;
+use rug::ops::Pow;
 
 /// Points of the self-check.
 const CHECKS: usize = 12;
 /// Points between which the observed error is looked for in every piece, besides its ends.
 const PROBES: u32 = 12;
 /// Bits of the reference at a point.
-const PREC: u32 = 128;
+const PREC: u32 = 160;
+/// Half the distance over which the slope of the reference is taken, relative to `u`.
+const STEP: f64 = f64::from_bits((1023 - 40) << 52);
+/// From here on the loss is a normal number.
+const SMALLEST: f64 = 4.0 * f64::MIN_POSITIVE;
+/// Where a self-check goes without an end of the range.
+const FAR: f64 = 100.0;
+
+/// A characteristic velocity that a source is written for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CharacteristicVelocity {
+    /// `g*`, in m/s.
+    pub metres_per_second: f64,
+    /// Where it comes from, for the head of the source.
+    pub origin: String,
+}
+
+/// Returns `u` at the characteristic velocity, `1/|C_1|`.
+///
+/// ```text
+/// C_1 = -sqrt(pi) Gamma(3/5)/(2^(1/5) 5^(2/5) Gamma(21/10))
+/// ```
+///
+/// (\[RPBS1999\], eqs. 30 and A30.)
+pub(crate) fn u_at_g_star() -> Float {
+    let gamma = |n: u32, d: u32| (Float::with_val(PREC, n) / d).gamma();
+    let powers = Float::with_val(PREC, 50).pow(Float::with_val(PREC, 1) / 5u32); // 2 5^2
+    let root = Float::with_val(PREC, Constant::Pi).sqrt();
+    powers * gamma(21, 10) / gamma(3, 5) / root
+}
+
+impl CharacteristicVelocity {
+    /// From `u` at a velocity of 1 m/s, as `u = 0.866… (g/g*)^(1/5)`.
+    ///
+    /// # Errors
+    ///
+    /// [`ExportError::Velocity`] if that is not a positive number that an f64 holds.
+    pub fn from_u(u_at_unit_velocity: &Float, origin: String) -> Result<Self, ExportError> {
+        let ratio = u_at_g_star() / u_at_unit_velocity;
+        let metres_per_second = Float::with_val(PREC, ratio.pow(5u32)).to_f64();
+        if !metres_per_second.is_normal() || metres_per_second < 0.0 {
+            return Err(ExportError::Velocity);
+        }
+        Ok(Self { metres_per_second, origin })
+    }
+}
+
+/// The largest relative errors observed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Observed {
+    /// Of `epsilon`.
+    pub epsilon: f64,
+    /// Of `1 - epsilon`.
+    pub loss: f64,
+    /// Of `d epsilon/d u`.
+    pub slope: f64,
+    /// The number of points.
+    pub points: usize,
+}
 
 /// An evaluator ready to be written down.
 #[derive(Clone, Debug)]
 pub struct Listing {
     /// The end of contact.
     pub end: End,
-    /// The largest relative error asked for.
-    pub tolerance: f64,
-    /// The range of `u`.
-    pub range: (f64, f64),
-    /// The constants.
+    /// What was asked for.
+    pub request: Request,
+    /// The table.
     pub pieces: Pieces,
-    /// The largest relative error observed.
-    pub observed: f64,
-    /// The number of points at which it was looked for.
-    pub points: usize,
-    /// Certified values.
-    pub checks: Vec<(f64, f64)>,
+    /// What is lost, near 0.
+    pub loss: Loss,
+    /// Measured against certified values.
+    pub observed: Observed,
+    /// `u`, `epsilon`, `1 - epsilon`, from certified values.
+    pub checks: Vec<[f64; 3]>,
+    /// `g*`, if the source shall have a function of a velocity in m/s.
+    pub velocity: Option<CharacteristicVelocity>,
 }
 
 impl Listing {
-    /// Measures the evaluator at the breakpoints, their neighbours, and between them.
-    pub fn new(reference: &Reference, pieces: Pieces, tolerance: f64, range: (f64, f64)) -> Self {
+    /// Designs an evaluator and measures it: at the breakpoints, their neighbours, and between them.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`design`].
+    pub fn new(reference: &Reference, request: Request) -> Result<Self, ExportError> {
+        let pieces = design(reference, &request)?;
+        let loss = Loss::fit(reference, &pieces, request.range, request.tolerance)?;
         let mut listing = Self {
             end: reference.end(),
-            tolerance,
-            range,
+            request,
             pieces,
-            observed: 0.0,
-            points: 0,
+            loss,
+            observed: Observed::default(),
             checks: Vec::new(),
+            velocity: None,
         };
         for u in listing.probes() {
-            let exact = exact(reference, u);
-            let error = Float::with_val(PREC, listing.pieces.epsilon(u) - &exact) / exact;
-            let error = error.to_f64().abs();
-            listing.observed = listing.observed.max(error);
-            listing.points += 1;
+            listing.observe(reference, u);
         }
-        let (low, high) = range;
+        let (low, high) = (request.range.0, listing.last().min(request.range.1.max(FAR)));
         let spaced = |i: usize| low + (high - low) * (i as f64 / (CHECKS - 1) as f64).powi(3);
         listing.checks = (0..CHECKS)
             .map(|i| spaced(i).clamp(low, high))
-            .map(|u| (u, exact(reference, u).to_f64()))
+            .map(|u| [u, exact(reference, u).to_f64(), exact_loss(reference, u).to_f64()])
             .collect();
-        listing
+        Ok(listing)
+    }
+
+    /// Adds functions of a velocity in m/s.
+    #[must_use]
+    pub fn with_velocity(self, velocity: CharacteristicVelocity) -> Self {
+        Self { velocity: Some(velocity), ..self }
+    }
+
+    /// The largest `u` that has a value.
+    pub fn last(&self) -> f64 {
+        if self.pieces.law.is_some() { f64::INFINITY } else { self.request.range.1 }
     }
 
     fn probes(&self) -> Vec<f64> {
-        let Pieces { grid, first, ref rows, variable, .. } = self.pieces;
-        let u_of = |x: f64| if variable == Variable::U { x } else { x * x };
-        let mut points = vec![self.range.0, self.range.1];
-        for number in first..=first + rows.len() as u64 {
+        let Pieces { grid, first, law_row, .. } = self.pieces;
+        let mut points = vec![self.request.range.0, self.request.range.1];
+        for number in first..first + law_row as u64 {
             let (start, next) = (grid.start(number), grid.start(number + 1));
-            let edge = u_of(start);
-            points.extend([edge.next_down(), edge, edge.next_up()]);
+            points.extend([start.next_down(), start, start.next_up()]);
             points.extend(
-                (0..PROBES).map(|i| u_of(start + (next - start) * (f64::from(i) + 0.37) / f64::from(PROBES))),
+                (0..PROBES).map(|i| start + (next - start) * (f64::from(i) + 0.37) / f64::from(PROBES)),
             );
         }
-        points.retain(|u| (self.range.0..=self.range.1).contains(u));
+        if let Some(law) = self.pieces.law {
+            let rows = (self.pieces.rows.len() - law_row) as i32;
+            points.extend((0..4 * PROBES as i32 * rows).map(|i| law.from * 1.001_f64.powi(i)));
+        }
+        points.retain(|u| (self.request.range.0..=self.last()).contains(u));
         points
     }
 
-    /// The lines of the head: what it is, its range, its bound and how that was found.
-    pub fn head(&self) -> Vec<String> {
-        let Bound { approximation, constants, evaluation } = self.pieces.bound;
-        let (end, option) = match self.end {
-            End::ZeroCompression => ("zero compression", "zero-compression"),
-            End::ZeroForce => ("zero force", "zero-force"),
-        };
-        let (low, high) = self.range;
-        vec![
-            format!("Coefficient of restitution of viscoelastic spheres; the contact ends at {end}."),
-            String::new(),
-            "    x'' + u sqrt(x) x' + x^(3/2) = 0,  x(0) = 0,  x'(0) = 1,  epsilon(u) = -x'(end)".into(),
-            "    u = (3/2) A (rho/m_eff)^(2/5) g^(1/5) = 0.8669651827054714 (g/g*)^(1/5)".into(),
-            String::new(),
-            format!(
-                "For u from {low} to {high} the relative error is at most {:e}; outside, the result is NaN.",
-                self.tolerance
-            ),
-            format!("The bound kept is {:.2e} =", self.pieces.bound.total()),
-            format!("    {approximation:.2e} approximation (twice the neglected Chebyshev coefficients)"),
-            format!("  + {constants:.2e} rounding of the constants"),
-            format!("  + {evaluation:.2e} rounding of the evaluation (Higham 2002, sec. 5.1)"),
-            format!(
-                "each in the piece where it is worst. Largest error observed: {:.2e} at {} points, the ends of all pieces and",
-                self.observed, self.points
-            ),
-            "their neighbours among them, against certified integration of the equation of motion.".into(),
-            String::new(),
-            format!(
-                "Written by: restitution export --tolerance {:e} --range {low},{high} --end {option}",
-                self.tolerance
-            ),
-        ]
+    fn observe(&mut self, reference: &Reference, u: f64) {
+        let relative =
+            |value: f64, exact: Float| (Float::with_val(PREC, value - &exact) / exact).to_f64().abs();
+        let (pieces, observed) = (&self.pieces, &mut self.observed);
+        observed.points += 1;
+        observed.epsilon = observed.epsilon.max(relative(pieces.epsilon(u), exact(reference, u)));
+        if u > SMALLEST {
+            observed.loss = observed.loss.max(relative(self.loss.at(pieces, u), exact_loss(reference, u)));
+            observed.slope = observed.slope.max(relative(pieces.slope(u), exact_slope(reference, u)));
+        }
     }
 
-    /// The number of coefficients of a piece.
-    pub fn width(&self) -> usize {
-        self.pieces.rows.first().map_or(0, Vec::len)
+    /// The lines of the head: what it is, its range, its bounds and how they were found.
+    pub fn head(&self) -> Vec<String> {
+        let Bound { approximation, argument, evaluation, law } = self.pieces.bound;
+        let Observed { epsilon, loss, slope, points } = self.observed;
+        let mut lines = vec![
+            format!("Coefficient of restitution of viscoelastic spheres; the contact ends at {}.", self.end_words()),
+            String::new(),
+            "    x'' + u sqrt(x) x' + x^(3/2) = 0,  x(0) = 0,  x'(0) = 1,  epsilon(u) = -x'(end)".into(),
+            format!("    u = (3/2) A (rho/m_eff)^(2/5) g^(1/5) = {} (g/g*)^(1/5)", u_at_g_star().to_f64()),
+            String::new(),
+            self.promise(),
+            "There epsilon(0) = 1 exactly, 0 <= epsilon <= 1, and epsilon never rises: by construction, for all f64,".into(),
+            "with fused multiply-add or without.".into(),
+            String::new(),
+            format!("The bound kept for epsilon is {:.2e} =", self.pieces.bound.total()),
+            format!("    {approximation:.2e} approximation (the Chebyshev coefficients of the error, measured)"),
+            format!("  + {argument:.2e} rounding of the argument"),
+            format!("  + {evaluation:.2e} rounding of the evaluation (Higham 2002, sec. 5.1)"),
+        ];
+        if self.pieces.law.is_some() {
+            lines.push(format!("  + {law:.2e} departure from the law at infinity"));
+        }
+        lines.extend([
+            format!("each in the piece where it is worst; for 1 - epsilon it is {:.2e}.", self.loss.bound),
+            format!("Largest relative errors observed at {points} points, the ends of all pieces and their neighbours"),
+            format!("among them: {epsilon:.2e} of epsilon, {loss:.2e} of 1 - epsilon, {slope:.2e} of the slope,"),
+            "against certified integration of the equation of motion.".into(),
+            String::new(),
+        ]);
+        if let Some(velocity) = &self.velocity {
+            lines.extend([
+                format!("g* = {:e} m/s: {}", velocity.metres_per_second, velocity.origin),
+                String::new(),
+            ]);
+        }
+        lines
+    }
+
+    fn promise(&self) -> String {
+        let (low, high) = self.request.range;
+        let tolerance = self.request.tolerance;
+        match self.request.beyond {
+            Beyond::NotANumber => format!(
+                "For u from {low} to {high} the relative error is at most {tolerance:e}; outside, the result is NaN."
+            ),
+            Beyond::Law => format!(
+                "For every u from {low} on the relative error is at most {tolerance:e} while epsilon is no subnormal number; else NaN."
+            ),
+        }
+    }
+
+    /// The options of `restitution export` that write this table.
+    pub fn options(&self) -> String {
+        let Request { tolerance, range: (low, high), beyond } = self.request;
+        let end = self.end_words().replace(' ', "-");
+        let beyond = if beyond == Beyond::Law { " --beyond law" } else { "" };
+        format!("--tolerance {tolerance:e} --range {low},{high} --end {end}{beyond}")
+    }
+
+    fn end_words(&self) -> &'static str {
+        match self.end {
+            End::ZeroCompression => "zero compression",
+            End::ZeroForce => "zero force",
+        }
     }
 }
 
 fn exact(reference: &Reference, u: f64) -> Float {
     if u == 0.0 { Float::with_val(PREC, 1) } else { reference.epsilon(&Float::with_val(PREC, u)) }
+}
+
+fn exact_loss(reference: &Reference, u: f64) -> Float {
+    if u == 0.0 { Float::new(PREC) } else { reference.one_minus_epsilon(&Float::with_val(PREC, u)) }
+}
+
+/// The difference quotient about `u`, over 2^-39 of it: within 2^-75 of the derivative.
+fn exact_slope(reference: &Reference, u: f64) -> Float {
+    let step = Float::with_val(PREC, u) * STEP;
+    let (before, after) = (Float::with_val(PREC, u - &step), Float::with_val(PREC, u + &step));
+    (reference.one_minus_epsilon(&before) - reference.one_minus_epsilon(&after)) / (step * 2u32)
 }

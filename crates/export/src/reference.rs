@@ -183,7 +183,8 @@ impl Reference {
         }
     }
 
-    fn power_law(&self, u: &Float) -> Float {
+    /// The law at infinity.
+    pub(super) fn power_law(&self, u: &Float) -> Float {
         let power = match self.end {
             End::ZeroCompression => u.clone().pow(5u32),
             End::ZeroForce => u.clone().pow(five_thirds()),

@@ -3,7 +3,6 @@
 //! A simulation that needs `epsilon` to 1e-6 need not pay for 1e-16: the statics here have fewer and
 //! lower polynomials. `restitution export` writes such a table for any tolerance and range.
 
-use crate::pieces::Grid;
 use crate::rounding::multiply_add;
 use crate::{End, epsilon};
 
@@ -14,10 +13,19 @@ pub use crate::tables::tiers::{
 
 /// Polynomials of degree `WIDTH - 1` on `ROWS` pieces that keep a tolerance.
 ///
+/// A piece is where `u + shift` has the same leading bits; the bits behind say how far its end is, as a part `s` of its
+/// width, and `epsilon = c_0 + s (c_1 + s (c_2 + …))`.
+///
 /// # Error bound
 ///
-/// The relative error is at most [`Tier::tolerance`] for every `u >= 0`: up to [`Tier::far`] by the table,
-/// beyond by [`epsilon`]. `tests/it/tiers.rs` checks it.
+/// The relative error is at most [`Tier::tolerance`] for every `u >= 0`: below [`Tier::far`] by the table,
+/// from there on by [`epsilon`]. `tests/it/tiers.rs` checks it.
+///
+/// # Guarantees
+///
+/// `epsilon(0) = 1` exactly, `0 <= epsilon <= 1`, and a larger `u` never gives a larger `epsilon` below [`Tier::far`] and
+/// across it, with fused multiply-add or without: the exporter checks each row for it in exact arithmetic
+/// (docs/export.md). Beyond, what is said of [`epsilon`] holds.
 ///
 /// # Examples
 ///
@@ -26,6 +34,7 @@ pub use crate::tables::tiers::{
 ///
 /// let rough = tiers::ZERO_FORCE_1E6.epsilon(0.7);
 /// assert!((rough / epsilon(0.7, End::ZeroForce) - 1.0).abs() <= 1e-6);
+/// assert_eq!(tiers::ZERO_FORCE_1E6.epsilon(0.0), 1.0);
 /// assert!(tiers::ZERO_FORCE_1E6.epsilon(-0.7).is_nan());
 /// ```
 #[derive(Debug)]
@@ -33,7 +42,8 @@ pub struct Tier<const ROWS: usize, const WIDTH: usize> {
     end: End,
     tolerance: f64,
     far: f64,
-    grid: Grid,
+    shift: f64,
+    bits: u32,
     rows: [[f64; WIDTH]; ROWS],
 }
 
@@ -46,7 +56,7 @@ impl<const ROWS: usize, const WIDTH: usize> Tier<ROWS, WIDTH> {
         bits: u32,
         rows: [[f64; WIDTH]; ROWS],
     ) -> Self {
-        Self { end, tolerance, far, grid: Grid::new(shift, bits, 0.0), rows }
+        Self { end, tolerance, far, shift, bits, rows }
     }
 
     /// Where the contact ends.
@@ -61,7 +71,7 @@ impl<const ROWS: usize, const WIDTH: usize> Tier<ROWS, WIDTH> {
         self.tolerance
     }
 
-    /// The largest `u` of the table.
+    /// Where the table ends and [`epsilon`] takes over.
     #[must_use]
     pub const fn far(&self) -> f64 {
         self.far
@@ -71,14 +81,14 @@ impl<const ROWS: usize, const WIDTH: usize> Tier<ROWS, WIDTH> {
     #[inline]
     #[must_use]
     pub fn epsilon(&self, u: f64) -> f64 {
-        if (0.0..=self.far).contains(&u) { self.within(u) } else { epsilon(u, self.end) }
+        if (0.0..self.far).contains(&u) { self.within(u) } else { epsilon(u, self.end) }
     }
 
     /// Writes `epsilon(u)` of each element to `out`, as far as the shorter of the two reaches.
     #[inline]
     pub fn epsilon_batch(&self, u: &[f64], out: &mut [f64]) {
         for (u, out) in u.chunks(256).zip(out.chunks_mut(256)) {
-            let all_within = u.iter().fold(true, |all, u| all & (*u >= 0.0) & (*u <= self.far));
+            let all_within = u.iter().fold(true, |all, u| all & (*u >= 0.0) & (*u < self.far));
             for (u, out) in u.iter().zip(out) {
                 *out = if all_within { self.within(*u) } else { self.epsilon(*u) };
             }
@@ -87,22 +97,28 @@ impl<const ROWS: usize, const WIDTH: usize> Tier<ROWS, WIDTH> {
 
     #[inline(always)]
     fn within(&self, u: f64) -> f64 {
-        let (index, centre) = self.grid.locate(u);
-        let t = u - centre;
-        polynomial(&self.rows[index.min(ROWS - 1)], t)
+        let (bits, rest) = ((u + self.shift).to_bits(), 52 - self.bits);
+        let index = ((bits >> rest) - (self.shift.to_bits() >> rest)) as usize;
+        let row = &self.rows[index.min(ROWS - 1)];
+        let fraction = (bits << self.bits) & (u64::MAX >> 12);
+        let distance = 2.0 - f64::from_bits(1.0_f64.to_bits() | fraction);
+        multiply_add(distance, slope(row, distance), row[0])
     }
 }
 
-/// Returns `c_0 + c_1 t + …`, the even and the odd powers side by side; two coefficients at least.
+/// Returns `c_1 + c_2 s + …`, the even and the odd powers side by side.
 #[inline(always)]
-fn polynomial<const WIDTH: usize>(c: &[f64; WIDTH], t: f64) -> f64 {
-    let t2 = t * t;
+fn slope<const WIDTH: usize>(c: &[f64; WIDTH], s: f64) -> f64 {
+    if WIDTH == 2 {
+        return c[1];
+    }
+    let s2 = s * s;
     let (mut upper, mut lower, mut left) = (c[WIDTH - 1], c[WIDTH - 2], WIDTH - 2);
-    while left >= 2 {
-        upper = multiply_add(upper, t2, c[left - 1]);
-        lower = multiply_add(lower, t2, c[left - 2]);
+    while left >= 3 {
+        upper = multiply_add(upper, s2, c[left - 1]);
+        lower = multiply_add(lower, s2, c[left - 2]);
         left -= 2;
     }
-    let value = multiply_add(upper, t, lower);
-    if left == 1 { multiply_add(value, t, c[0]) } else { value }
+    let value = multiply_add(upper, s, lower);
+    if left == 2 { multiply_add(value, s, c[1]) } else { value }
 }

@@ -2,23 +2,27 @@
 
 use crate::CliError;
 use crate::args::{EndArgs, EndOfContact};
+use crate::commands::epsilon::DampingArgs;
 use crate::output::TargetArgs;
 use crate::progress;
-use clap::ValueEnum;
+use crate::units;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use restitution::End;
-use restitution_export::{ExportError, Language, Listing, Reference, constants, design};
-use restitution_export::{tier_tables, zero_compression_tables, zero_force_tables};
-
-/// The least and the largest relative error that can be asked for.
-const TOLERANCES: (f64, f64) = (1e-15, 0.1);
-/// The largest `u` that can be asked for.
-const LARGEST_U: f64 = 1e6;
+use restitution_export::{
+    Beyond, CharacteristicVelocity, ExportError, LANGUAGES, Language, Listing, Reference, Request,
+};
+use restitution_export::{constants, tier_tables, zero_compression_tables, zero_force_tables};
+use restitution_law::ForceLaw;
 
 /// Arguments of `restitution export`.
 #[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  restitution export --lang c --tolerance 1e-9 --range 0,20 -o restitution.h\n  \
+    restitution export --lang f90 --end zero-force --beyond law --name ice --g-star 0.32cm/s -o ice.f90"
+)]
 pub struct ExportArgs {
-    /// The language; evaluator-tables writes the tables of this project's own evaluator
-    #[arg(long, value_name = "LANGUAGE", value_enum)]
+    /// The language
+    #[arg(long, value_name = "LANGUAGE", value_parser = languages(), ignore_case = true)]
     lang: Target,
     /// The largest relative error, from 1e-15 to 0.1
     #[arg(long, value_name = "T", default_value = "1e-9", value_parser = tolerance, allow_hyphen_values = true)]
@@ -26,22 +30,55 @@ pub struct ExportArgs {
     /// The range of u, 0 <= LO < HI <= 1e6
     #[arg(long, value_name = "LO,HI", default_value = "0,8", value_parser = range, allow_hyphen_values = true)]
     range: (f64, f64),
+    /// What follows beyond the range: NaN, or values within the tolerance for every u
+    #[arg(long, value_enum, default_value_t, value_name = "WHAT")]
+    beyond: BeyondRange,
+    /// What every name in the source starts with, so that several fit into one program
+    #[arg(long, value_name = "NAME", default_value = "restitution", allow_hyphen_values = true)]
+    name: String,
+    #[command(flatten)]
+    damping: DampingArgs,
     #[command(flatten)]
     end: EndArgs,
     #[command(flatten)]
     target: TargetArgs,
 }
 
+/// What follows beyond the range.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+enum BeyondRange {
+    /// No value.
+    #[default]
+    Nan,
+    /// A longer table where the tolerance needs it, then the law at infinity.
+    Law,
+}
+
 /// What can be written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug)]
 enum Target {
-    Rust,
-    C,
-    Fortran,
-    Python,
+    Source(&'static Language),
+    /// The tables of the crate `restitution`, for `make tables`.
     EvaluatorConstants,
     EvaluatorTables,
     EvaluatorTiers,
+}
+
+/// Reads a [`Target`] by any of its names; those of the project's own tables are not listed.
+fn languages() -> impl TypedValueParser<Value = Target> {
+    let listed = LANGUAGES.iter().map(|language| {
+        PossibleValue::new(language.name).aliases(language.aliases.iter().copied()).help(language.title)
+    });
+    let internal = ["evaluator-constants", "evaluator-tables", "evaluator-tiers"]
+        .map(|name| PossibleValue::new(name).hide(true));
+    PossibleValuesParser::new(listed.chain(internal).collect::<Vec<_>>()).try_map(|name| {
+        match name.to_lowercase().as_str() {
+            "evaluator-constants" => Ok(Target::EvaluatorConstants),
+            "evaluator-tables" => Ok(Target::EvaluatorTables),
+            "evaluator-tiers" => Ok(Target::EvaluatorTiers),
+            name => Language::of(name).map(Target::Source),
+        }
+    })
 }
 
 impl ExportArgs {
@@ -49,42 +86,69 @@ impl ExportArgs {
     ///
     /// # Errors
     ///
-    /// [`CliError::Failure`] if no table keeps the tolerance on the range, and those of the output.
+    /// Usage for what no source can have, failure if no table keeps the tolerance on the range, and those of the output.
     pub fn run(&self) -> Result<(), CliError> {
         self.target.check()?;
-        let source = progress::during("certified values", || self.source())?;
+        let source = match self.lang {
+            Target::Source(language) => {
+                language.check(&self.name)?;
+                self.request().check()?;
+                let velocity = self.velocity()?;
+                progress::during("certified values", || self.source(language, velocity))?
+            }
+            Target::EvaluatorConstants => constants(),
+            Target::EvaluatorTables => progress::during("certified values", || self.tables())?,
+            Target::EvaluatorTiers => progress::during("certified values", || self.tiers())?,
+        };
         self.target.write(&source)
     }
 
-    fn source(&self) -> Result<String, CliError> {
-        let language = match self.lang {
-            Target::EvaluatorConstants => return Ok(constants()),
-            Target::EvaluatorTables => return self.tables(),
-            Target::EvaluatorTiers => {
-                let (compression, force) =
-                    (Reference::new(End::ZeroCompression), Reference::new(End::ZeroForce));
-                let references =
-                    [&compression.map_err(CliError::failure)?, &force.map_err(CliError::failure)?];
-                return Ok(tier_tables(references)?);
-            }
-            Target::Rust => Language::Rust,
-            Target::C => Language::C,
-            Target::Fortran => Language::Fortran,
-            Target::Python => Language::Python,
+    fn request(&self) -> Request {
+        let beyond = match self.beyond {
+            BeyondRange::Nan => Beyond::NotANumber,
+            BeyondRange::Law => Beyond::Law,
         };
-        // The last piece reaches beyond the range, at most to twice sqrt(HI) + 8 in the variable.
-        let reference = self.reference(4.0 * (self.range.1.sqrt() + 8.0).powi(2))?;
-        let pieces = design(&reference, self.tolerance, self.range)?;
-        let listing = Listing::new(&reference, pieces, self.tolerance, self.range);
-        Ok(language.write(&listing))
+        Request { tolerance: self.tolerance, range: self.range, beyond }
+    }
+
+    /// The characteristic velocity of the bodies that were given, if any were.
+    fn velocity(&self) -> Result<Option<CharacteristicVelocity>, CliError> {
+        if !self.damping.given() {
+            return Ok(None);
+        }
+        let unit = units::velocity("1m/s").map_err(CliError::failure)?;
+        let source = self.damping.source(&unit, &ForceLaw::viscoelastic_spheres())?;
+        let u_at_unit_velocity = source.at(128).mid().clone();
+        let velocity = CharacteristicVelocity::from_u(&u_at_unit_velocity, self.damping.to_string())?;
+        Ok(Some(velocity))
+    }
+
+    fn source(
+        &self,
+        language: &Language,
+        velocity: Option<CharacteristicVelocity>,
+    ) -> Result<String, CliError> {
+        let request = self.request();
+        let listing = Listing::new(&self.reference(request.reach())?, request)?;
+        let listing = match velocity {
+            Some(velocity) => listing.with_velocity(velocity),
+            None => listing,
+        };
+        Ok(language.write(&listing, &self.name)?)
     }
 
     fn tables(&self) -> Result<String, CliError> {
         let reference = self.reference(f64::INFINITY)?;
         Ok(match reference.end() {
-            End::ZeroCompression => zero_compression_tables(&reference)?,
-            End::ZeroForce => zero_force_tables(&reference)?,
+            End::ZeroCompression => zero_compression_tables(&reference),
+            End::ZeroForce => zero_force_tables(&reference),
         })
+    }
+
+    fn tiers(&self) -> Result<String, CliError> {
+        let [compression, force] = [End::ZeroCompression, End::ZeroForce].map(Reference::new);
+        let references = [&compression.map_err(CliError::failure)?, &force.map_err(CliError::failure)?];
+        Ok(tier_tables(references)?)
     }
 
     fn reference(&self, last: f64) -> Result<Reference, CliError> {
@@ -98,36 +162,21 @@ impl ExportArgs {
 
 impl From<ExportError> for CliError {
     fn from(error: ExportError) -> Self {
-        Self::failure(error)
+        match error {
+            ExportError::Tolerance { .. } | ExportError::Law { .. } | ExportError::Direct(_) => {
+                Self::failure(error)
+            }
+            _ => Self::usage(error),
+        }
     }
 }
 
-fn tolerance(text: &str) -> Result<f64, String> {
-    let (least, largest) = TOLERANCES;
-    let value = text.trim().parse::<f64>().ok().filter(|t| (least..=largest).contains(t));
-    value.ok_or_else(|| format!("a tolerance is a relative error: give one from {least:e} to {largest}"))
+fn tolerance(text: &str) -> Result<f64, ExportError> {
+    text.trim().parse().map_err(|_| ExportError::WrongTolerance)
 }
 
-fn range(text: &str) -> Result<(f64, f64), String> {
+fn range(text: &str) -> Result<(f64, f64), ExportError> {
     let parse = |part: &str| part.trim().parse::<f64>().ok();
     let ends = text.split_once(',').and_then(|(low, high)| Some((parse(low)?, parse(high)?)));
-    let sound = |(low, high): &(f64, f64)| 0.0 <= *low && low < high && *high <= LARGEST_U;
-    ends.filter(sound).ok_or_else(|| format!("a range of u is LO,HI: give 0 <= LO < HI <= {LARGEST_U:e}"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn tolerances_and_ranges_have_limits() {
-        assert_eq!(tolerance("1e-6"), Ok(1e-6));
-        assert_eq!(range("0, 2.5"), Ok((0.0, 2.5)));
-        for text in ["", "0", "-1e-3", "1e-16", "0.5", "NaN", "inf", "x"] {
-            assert!(tolerance(text).is_err(), "{text}");
-        }
-        for text in ["", "1", "2,1", "1,1", "-1,2", "0,inf", "NaN,1", "0,2e6", "0;1"] {
-            assert!(range(text).is_err(), "{text}");
-        }
-    }
+    ends.ok_or(ExportError::WrongRange)
 }

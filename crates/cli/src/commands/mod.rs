@@ -46,8 +46,8 @@ pub enum Command {
     Trajectory(trajectory::TrajectoryArgs),
     /// Print coefficients of restitution by certified direct integration
     Epsilon(Box<epsilon::EpsilonArgs>),
-    /// Write an evaluator of epsilon(u) in Rust, C, Fortran or Python
-    Export(export::ExportArgs),
+    /// Write an evaluator of epsilon(u) in Rust, C, Fortran, Python, Julia or MATLAB
+    Export(Box<export::ExportArgs>),
     /// Judge the statements of the papers, one by one
     Audit(audit::AuditArgs),
     /// Measure speed against error on this machine and write it as a page with figures and data

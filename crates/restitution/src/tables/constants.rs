@@ -1,5 +1,5 @@
 //! Constants of the undamped collision, each the f64 closest to its closed form.
-// Written by `restitution export --lang evaluator-constants`; compared by tests/it/tables_fresh.rs.
+// Written by `make tables`; compared by tests/it/tables_fresh.rs.
 
 /// `-C_1`, the slope of `1 - epsilon` at `u = 0` (eqs. 31, A32 of \[RPBS1999\]).
 #[rustfmt::skip]

@@ -1,5 +1,5 @@
 //! Contact that ends at zero force.
-// Written by `restitution export --lang evaluator-tables`; compared by tests/it/tables_fresh.rs.
+// Written by `make tables`; compared by tests/it/tables_fresh.rs.
 
 use crate::pieces::{Grid, Piece, piece};
 

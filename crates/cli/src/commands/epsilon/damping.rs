@@ -7,12 +7,13 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
+use std::fmt;
 
 /// Arguments that say how strongly the bodies dissipate.
 #[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Damping, for --velocity")]
+#[command(next_help_heading = "Damping, for velocities")]
 #[group(id = "damping", multiple = true)]
-pub(super) struct DampingArgs {
+pub(in crate::commands) struct DampingArgs {
     /// Characteristic velocity g*, with epsilon = 1 - s + ..., s = (g/g*)^p
     #[arg(long, value_name = "G", value_parser = units::velocity)]
     g_star: Option<Quantity>,
@@ -35,7 +36,7 @@ pub(super) struct DampingArgs {
 
 /// A damping known to any precision.
 #[derive(Clone, Debug)]
-pub(super) enum Source {
+pub(in crate::commands) enum Source {
     /// A rational number.
     Exact(BigRational),
     /// `(s^p)/|C_1|` with the scaled velocity `g/g*`.
@@ -46,7 +47,7 @@ pub(super) enum Source {
 
 impl Source {
     /// Encloses the damping at `prec` bits.
-    pub(super) fn at(&self, prec: u32) -> Ball {
+    pub(in crate::commands) fn at(&self, prec: u32) -> Ball {
         let wide = prec + 32;
         match self {
             Self::Exact(u) => Ball::from_rational(u, prec),
@@ -73,9 +74,34 @@ fn first_loss(law: &ForceLaw, prec: u32) -> Ball {
         * Ball::from_rational(&(two / step), prec)
 }
 
+impl fmt::Display for DampingArgs {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(g_star) = &self.g_star {
+            return write!(f, "given as {g_star}");
+        }
+        let parts = [
+            self.dissipative_constant.as_ref().map(|a| format!("A = {a}")),
+            self.young.as_ref().map(|young| format!("Y = {young}")),
+            self.poisson.as_ref().map(|poisson| format!("nu = {poisson}")),
+            self.density.as_ref().map(|density| format!("density {density}")),
+            self.radius.as_ref().map(|radius| format!("radius {radius}")),
+        ];
+        write!(f, "two equal spheres, {}", parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
+    }
+}
+
 impl DampingArgs {
+    /// Whether any of them is there.
+    pub(in crate::commands) fn given(&self) -> bool {
+        self.g_star.is_some() || self.dissipative_constant.is_some()
+    }
+
     /// The damping at one impact velocity.
-    pub(super) fn source(&self, velocity: &Quantity, law: &ForceLaw) -> Result<Source, CliError> {
+    pub(in crate::commands) fn source(
+        &self,
+        velocity: &Quantity,
+        law: &ForceLaw,
+    ) -> Result<Source, CliError> {
         let g = velocity.si();
         if g.is_negative() {
             return Err(CliError::usage(format!(
