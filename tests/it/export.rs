@@ -3,6 +3,7 @@
 mod drivers;
 mod hostile;
 mod names;
+mod random_requests;
 mod tools;
 
 use crate::certified::{exact, reference};

@@ -60,8 +60,9 @@ impl Loss {
         if near_row == 0 {
             return Ok(loss);
         }
-        let high = pieces.near_end().min(range.1);
-        let last = pieces.rows.get(near_row - 1).filter(|_| high < range.1).map(|row| (1.0 - row[0]) / high);
+        let end = pieces.law.map_or(range.1, |law| law.from);
+        let high = pieces.near_end().min(end);
+        let last = pieces.rows.get(near_row - 1).filter(|_| high < end).map(|row| (1.0 - row[0]) / high);
         let mut reached = f64::INFINITY;
         for degree in 1..=LARGEST_DEGREE {
             let row = loss.interpolate(reference, degree, high, last);
