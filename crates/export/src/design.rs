@@ -104,7 +104,13 @@ pub fn design(reference: &Reference, request: &Request) -> Result<Pieces, Export
         last_value: None,
         tolerance: request.tolerance * SHARE,
     };
-    cheapest(reference, &shape, &TABLE_SIZES, request.tolerance)
+    let mut pieces = cheapest(reference, &shape, &TABLE_SIZES, request.tolerance)?;
+    pieces.bound_between_samples(reference, shape.high());
+    let reached = pieces.bound.total();
+    if reached > request.tolerance {
+        return Err(ExportError::Tolerance { tolerance: request.tolerance, reached });
+    }
+    Ok(pieces)
 }
 
 /// The cheapest table for everything in `shape` but its grid and its degree.

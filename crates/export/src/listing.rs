@@ -179,7 +179,7 @@ impl Listing {
             "with fused multiply-add or without.".into(),
             String::new(),
             format!("The bound kept for epsilon is {:.2e} =", self.pieces.bound.total()),
-            format!("    {approximation:.2e} approximation (the Chebyshev coefficients of the error, measured)"),
+            format!("    {approximation:.2e} approximation (the Chebyshev coefficients of the error)"),
             format!("  + {argument:.2e} rounding of the argument"),
             format!("  + {evaluation:.2e} rounding of the evaluation (Higham 2002, sec. 5.1)"),
         ];

@@ -197,6 +197,29 @@ impl Pieces {
         Ok(piece.right_value)
     }
 
+    /// Replaces the approximation's part of the bound, which is sampled in a search, by what bounds it between the samples
+    /// too ([`Reference::largest`]).
+    pub(crate) fn bound_between_samples(&mut self, reference: &Reference, high: f64) {
+        let mut largest = 0.0_f64;
+        for (i, row) in self.rows[..self.law_row].iter().enumerate() {
+            let number = self.first + i as u64;
+            let (start, width) = (self.grid.start(number), self.grid.width(number));
+            let error = |u: &Float| {
+                let s = (Float::with_val(PREC, start - u) + width) / width;
+                let sum = row.iter().rev().fold(float(0.0), |sum, c| sum * &s + *c);
+                sum - if u.is_zero() { float(1.0) } else { reference.epsilon(u) }
+            };
+            for (low, high) in reference.split(start, high.min(start + width)) {
+                if low < high {
+                    let least = reference.epsilon(&float(high)).to_f64();
+                    largest = largest.max(reference.largest(low, high, &error) / least);
+                }
+            }
+        }
+        let in_law = self.bound.approximation * f64::from(u8::from(self.law.is_some()));
+        self.bound.approximation = largest.max(in_law);
+    }
+
     /// The first row that starts at [`NEAR`] or later; the loss has a polynomial of its own before.
     pub fn near_row(&self) -> usize {
         let number = self.grid.number(NEAR);

@@ -10,6 +10,8 @@ use rug::ops::Pow;
 
 /// Nodes of an arc.
 const NODES: usize = 44;
+/// More nodes than the degree of the difference between an arc and a polynomial of degree 8 in `u`.
+const MORE_NODES: usize = 48;
 /// Digits of the saturated exit speed.
 const DIGITS: usize = 40;
 
@@ -181,6 +183,33 @@ impl Reference {
                 None => (None, self.power_law(u)),
             },
         }
+    }
+
+    /// Splits a range of `u` where the interpolation changes its polynomial.
+    pub(super) fn split(&self, low: f64, high: f64) -> Vec<(f64, f64)> {
+        let ends: &[f64] = match self.end {
+            End::ZeroCompression => &COMPRESSION_ARCS,
+            End::ZeroForce => &FORCE_ARCS,
+        };
+        let u_of = |x: &f64| if self.end == End::ZeroCompression { *x } else { x * x };
+        let mut points = vec![low];
+        points.extend(ends.iter().map(u_of).filter(|u| low < *u && *u < high));
+        points.push(high);
+        points.windows(2).map(|ends| (ends[0], ends[1])).collect()
+    }
+
+    /// Returns the sum of the Chebyshev coefficients of `error` on `[low, high]`, in the variable of the interpolation.
+    ///
+    /// An upper bound of `|error|` there, if `error` is the difference of the interpolation and a polynomial of degree 8 or
+    /// less in `u` and [`Self::split`] does not split the range: such a difference has degree 45 at most, so it is its own
+    /// interpolation through 48 points.
+    pub(super) fn largest(&self, low: f64, high: f64, error: &dyn Fn(&Float) -> Float) -> f64 {
+        let root = self.end == End::ZeroForce;
+        let variable = |u: f64| if root { Float::with_val(PREC, u).sqrt() } else { Float::with_val(PREC, u) };
+        let points = nodes(&variable(low), &variable(high), MORE_NODES);
+        let values: Vec<Float> =
+            points.iter().map(|x| error(&if root { x.clone().square() } else { x.clone() })).collect();
+        coefficients(&values).iter().map(|c| c.to_f64().abs()).sum()
     }
 
     /// The law at infinity.

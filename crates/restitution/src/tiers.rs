@@ -106,19 +106,16 @@ impl<const ROWS: usize, const WIDTH: usize> Tier<ROWS, WIDTH> {
     }
 }
 
-/// Returns `c_1 + c_2 s + …`, the even and the odd powers side by side.
+/// Returns `c_1 + c_2 s + …`, by pairs.
 #[inline(always)]
 fn slope<const WIDTH: usize>(c: &[f64; WIDTH], s: f64) -> f64 {
-    if WIDTH == 2 {
-        return c[1];
-    }
     let s2 = s * s;
-    let (mut upper, mut lower, mut left) = (c[WIDTH - 1], c[WIDTH - 2], WIDTH - 2);
-    while left >= 3 {
-        upper = multiply_add(upper, s2, c[left - 1]);
-        lower = multiply_add(lower, s2, c[left - 2]);
-        left -= 2;
+    let pair = |k: usize| multiply_add(c[k + 1], s, c[k]);
+    let (mut value, mut k) =
+        if WIDTH.is_multiple_of(2) { (c[WIDTH - 1], WIDTH - 1) } else { (pair(WIDTH - 2), WIDTH - 2) };
+    while k > 1 {
+        k -= 2;
+        value = multiply_add(value, s2, pair(k));
     }
-    let value = multiply_add(upper, s, lower);
-    if left == 2 { multiply_add(value, s, c[1]) } else { value }
+    value
 }

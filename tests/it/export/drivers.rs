@@ -26,6 +26,7 @@ const C_FLAGS: &[&[&str]] = &[
     &["-Ofast", "-march=native", "-funsafe-math-optimizations", "-ffinite-math-only"],
     &["-O1", "-ffast-math", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"],
 ];
+const CPP_FLAGS: &[&[&str]] = &[C_FLAGS[1], C_FLAGS[3]];
 const FORTRAN_FLAGS: &[&[&str]] = &[
     &["-O0", "-fcheck=all"],
     &["-O3", "-ffast-math", "-fcheck=all"],
@@ -77,7 +78,7 @@ fn main() {
         file: "driver.c",
         source: C,
         plain: &["-O2"],
-        hostile: C_FLAGS,
+        hostile: CPP_FLAGS,
         build: |folder, flags| c_or_cpp(folder, "g++", &["-std=c++11", "-x", "c++"], flags),
     },
     Driver {
