@@ -75,10 +75,7 @@ impl From<ReportError> for CliError {
 
 impl From<RealError> for CliError {
     fn from(error: RealError) -> Self {
-        match error {
-            RealError::NotANumber { .. } => Self::usage(error),
-            _ => Self::failure(error),
-        }
+        Self::failure(error)
     }
 }
 

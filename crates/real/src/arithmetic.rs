@@ -1,10 +1,10 @@
 //! The field operations: each states the error it adds.
 
 use crate::Ball;
-use crate::ball::{RADIUS_BITS, magnitude_up, rounding_error};
+use crate::ball::{RADIUS_BITS, magnitude_up, rounding_error, smallest_error};
 use num_traits::{One, Zero};
 use rug::Float;
-use rug::float::Round;
+use rug::float::{Round, exp_max, exp_min};
 use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -139,7 +139,7 @@ impl One for Ball {
 }
 
 impl Ball {
-    /// Returns the ball times `2^power`, exactly.
+    /// Returns the ball times `2^power`, exactly (within the exponents of MPFR, about `2^30`).
     #[must_use]
     pub fn shifted(&self, power: i32) -> Self {
         let mut out = self.clone();
@@ -149,9 +149,19 @@ impl Ball {
 
     /// Multiplies by `2^power` in place.
     pub(crate) fn shift(&mut self, power: i64) {
-        let power = i32::try_from(power).unwrap_or(if power < 0 { i32::MIN } else { i32::MAX });
+        let exponents = i64::from(exp_min())..=i64::from(exp_max());
+        let fits = |x: &Float| x.get_exp().is_none_or(|e| exponents.contains(&(i64::from(e) + power)));
+        let inside = fits(&self.mid) && fits(&self.rad);
+        if !inside && power > 0 {
+            *self = Self::whole_line(self.prec());
+            return;
+        }
+        let power = i32::try_from(power).unwrap_or(i32::MIN);
         self.mid <<= power;
         self.rad <<= power;
+        if !inside {
+            self.widen(&smallest_error());
+        }
     }
 
     /// Returns the absolute value.
@@ -168,7 +178,7 @@ impl Ball {
     /// Returns `x^n`; the whole line where a negative power meets zero.
     #[must_use]
     pub fn powi(&self, n: i64) -> Self {
-        let mut result = Self::one();
+        let mut result = Self::from_integer(1, self.prec());
         let mut base = self.clone();
         let mut left = n.unsigned_abs();
         while left > 0 {
@@ -180,6 +190,6 @@ impl Ball {
                 base = &base * &base;
             }
         }
-        if n < 0 { Self::one() / result } else { result }
+        if n < 0 { Self::from_integer(1, self.prec()) / result } else { result }
     }
 }

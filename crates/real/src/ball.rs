@@ -1,7 +1,7 @@
 use crate::convert::rug_rational;
 use num_rational::BigRational;
 use rug::float::Round;
-use rug::ops::{AddAssignRound, AssignRound, SubAssignRound};
+use rug::ops::{AddAssignRound, AssignRound};
 use rug::{Assign, Float, Integer, Rational};
 use std::cmp::Ordering;
 use std::fmt;
@@ -93,8 +93,10 @@ impl Ball {
         if value.is_finite() { Self::rounded(prec.max(53), value) } else { Self::whole_line(prec) }
     }
 
-    /// Returns the smallest ball of this precision around `[lower, upper]`.
+    /// Returns a ball around the interval with these ends, given in either order: its midpoint is the
+    /// middle rounded to `prec` bits, its radius reaches the farther end.
     pub fn between(lower: &Float, upper: &Float, prec: u32) -> Self {
+        let (lower, upper) = if lower <= upper { (lower, upper) } else { (upper, lower) };
         let (mid, _) = Float::with_val_round(prec, lower + upper, Round::Nearest);
         let mid = mid / 2u32;
         let below = Float::with_val_round(RADIUS_BITS, &mid - lower, Round::Up).0;
@@ -152,14 +154,15 @@ impl Ball {
 
     /// A lower bound of `|x|` over the ball, with the bits of a radius; 0 if the ball contains 0.
     pub fn abs_down(&self) -> Float {
-        let towards_zero = if self.mid.is_sign_negative() { Round::Up } else { Round::Down };
-        let mut mid = Float::with_val_round(RADIUS_BITS, &self.mid, towards_zero).0;
-        mid.abs_mut();
-        mid.sub_assign_round(&self.rad, Round::Down);
-        if mid.is_sign_negative() || mid.is_nan() {
-            mid.assign(0);
+        let mut least = if self.mid.is_sign_negative() {
+            -Float::with_val_round(RADIUS_BITS, &self.mid + &self.rad, Round::Up).0
+        } else {
+            Float::with_val_round(RADIUS_BITS, &self.mid - &self.rad, Round::Down).0
+        };
+        if !least.is_finite() || least < 0 {
+            least.assign(0);
         }
-        mid
+        least
     }
 
     /// Whether the ball is bounded.
@@ -214,25 +217,28 @@ impl Ball {
         self.exact_end(-1) <= other.exact_end(1) && other.exact_end(-1) <= self.exact_end(1)
     }
 
-    /// Returns the smallest ball around both.
+    /// Returns a ball around both, as [`Ball::between`] does.
     pub fn union(&self, other: &Self) -> Self {
         if !self.is_finite() || !other.is_finite() {
             return Self::whole_line(self.prec().max(other.prec()));
         }
-        let low = self.lower().min(&other.lower());
-        let high = self.upper().max(&other.upper());
-        Self::between(&low, &high, self.prec().max(other.prec()))
+        // Not with Float::min and max, which round what they take from the other.
+        let [low, high] = [[self.lower(), other.lower()], [self.upper(), other.upper()]];
+        let low = if low[0] <= low[1] { &low[0] } else { &low[1] };
+        let high = if high[0] >= high[1] { &high[0] } else { &high[1] };
+        Self::between(low, high, self.prec().max(other.prec()))
     }
 
-    /// Adds `error >= 0` to the radius, rounding up.
+    /// Adds `error >= 0` to the radius, rounding up; a negative or NaN error gives the whole line.
     pub fn widen(&mut self, error: &Float) {
-        self.rad.add_assign_round(error, Round::Up);
-        if self.rad.is_nan() || self.rad < 0 {
+        if error.is_nan() || *error < 0 {
             *self = Self::whole_line(self.prec());
+        } else {
+            self.rad.add_assign_round(error, Round::Up);
         }
     }
 
-    /// Returns the ball widened by `error >= 0`.
+    /// Returns the ball widened by `error >= 0`, as [`Ball::widen`] does.
     #[must_use]
     pub fn widened(mut self, error: &Float) -> Self {
         self.widen(error);
@@ -286,13 +292,17 @@ pub(crate) fn rounding_error(mid: &Float, direction: Ordering) -> Float {
             error.assign(1);
             error <<= i32::try_from(shift).unwrap_or(i32::MIN);
             if error.is_zero() {
-                error = Float::with_val_round(RADIUS_BITS, f64::MIN_POSITIVE, Round::Up).0;
+                error = smallest_error();
             }
         }
-        // A result that rounded to zero lies below the smallest MPFR number, far below this.
-        None => error = Float::with_val_round(RADIUS_BITS, f64::MIN_POSITIVE, Round::Up).0,
+        None => error = smallest_error(),
     }
     error
+}
+
+/// A bound of what is lost where MPFR's exponents end, at about `2^(-2^30)`, far below this.
+pub(crate) fn smallest_error() -> Float {
+    Float::with_val(RADIUS_BITS, f64::MIN_POSITIVE)
 }
 
 /// `|x|` with the bits of a radius, rounded up.

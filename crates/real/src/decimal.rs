@@ -23,12 +23,16 @@ impl Ball {
         if self.contains_zero() {
             return None;
         }
-        let prec = self.prec() + 32;
+        // Both ends are rounded outwards by less than a 2^-30th of half a unit of the last digit.
+        let prec = self.prec().max(narrow(digits)) + 2;
         let low = Float::with_val_round(prec, &self.mid - &self.rad, Round::Down).0;
         let high = Float::with_val_round(prec, &self.mid + &self.rad, Round::Up).0;
         let low = decimal(&low, digits);
-        let proved = low == decimal(&high, digits) || self.is_at_a_tie(digits);
-        proved.then(|| layout(&low, digits))
+        if low == decimal(&high, digits) {
+            return Some(layout(&low, digits));
+        }
+        let at_a_tie = self.relative_bits().is_none_or(|known| known > i64::from(narrow(digits)));
+        at_a_tie.then(|| layout(&decimal(&self.mid, digits), digits))
     }
 
     /// Returns the proved digits as [`Ball::to_digits`] does, and how far the true value is from them at most.
@@ -47,19 +51,10 @@ impl Ball {
     pub fn to_digits_and_radius(&self, digits: usize) -> Option<(String, String)> {
         let shown = self.to_digits(digits)?;
         let text = Float::parse(&shown).ok()?;
-        let (number, ordering) = Float::with_val_round(self.prec() + 64, text, Round::Nearest);
-        let ulp = Float::with_val(64, number.clone().abs() >> (self.prec() + 63));
-        let rounding = if ordering.is_eq() { Float::new(64) } else { ulp };
-        let difference = Self::new(number, &rounding) - self;
+        let number = Self::rounded(self.prec().max(narrow(digits)) + 64, text);
+        let difference = number - self;
         let radius = Self::new(Float::new(64), &difference.abs_up()).radius_text();
         Some((shown, radius))
-    }
-
-    /// Whether the radius is below a 2^-30th of half a unit of the last of `digits` digits.
-    fn is_at_a_tie(&self, digits: usize) -> bool {
-        // A unit of the last digit is more than 10^-digits of the value, 10 < 2^(10/3).
-        let bits = i64::try_from(digits).unwrap_or(i64::MAX / 8).saturating_mul(10) / 3 + 34;
-        self.relative_bits().is_none_or(|known| known > bits)
     }
 
     /// Returns the radius as an upper bound with two digits, such as `1.3e-42`; `0` if exact.
@@ -72,6 +67,13 @@ impl Ball {
     }
 }
 
+/// Relative bits beyond which a radius is below a 2^-30th of half a unit of the last of `digits` digits.
+///
+/// A unit of the last digit is more than `10^-digits` of the value, and `10 < 2^(10/3)`.
+fn narrow(digits: usize) -> u32 {
+    u32::try_from(digits.saturating_mul(10) / 3).unwrap_or(u32::MAX).saturating_add(34).min(u32::MAX / 8)
+}
+
 /// Sign, digits and exponent of `0.d1d2d3... * 10^exponent`.
 type Decimal = (bool, String, i32);
 
@@ -82,7 +84,6 @@ fn decimal(x: &Float, digits: usize) -> Decimal {
 
 fn layout((negative, digits, exponent): &Decimal, wanted: usize) -> String {
     let sign = if *negative { "-" } else { "" };
-    let count = digits.len();
     let exponent = i64::from(*exponent);
     if exponent > i64::try_from(wanted).unwrap_or(i64::MAX) || exponent < -5 {
         let (first, rest) = digits.split_at(1);
@@ -94,30 +95,7 @@ fn layout((negative, digits, exponent): &Decimal, wanted: usize) -> String {
             let zeros = "0".repeat(usize::try_from(-exponent).unwrap_or(0));
             format!("{sign}0.{zeros}{digits}")
         }
-        Ok(whole) if whole >= count => format!("{sign}{digits}{}", "0".repeat(whole - count)),
+        Ok(whole) if whole == wanted => format!("{sign}{digits}"),
         Ok(whole) => format!("{sign}{}.{}", &digits[..whole], &digits[whole..]),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn digits_are_laid_out_plainly() {
-        let show = |n, d, digits| Ball::from_ratio(n, d, 200).to_digits(digits).unwrap();
-        assert_eq!(show(1, 3, 5), "0.33333");
-        assert_eq!(show(-200, 3, 5), "-66.667");
-        assert_eq!(show(200_000, 3, 3), "6.67e4");
-        assert_eq!(show(1, 3000, 3), "0.000333");
-        assert_eq!(show(1, 3_000_000_000, 3), "3.33e-10");
-        assert_eq!(show(12, 1, 2), "12");
-    }
-
-    #[test]
-    fn a_wide_ball_proves_nothing() {
-        let wide = Ball::from_ratio(1, 3, 64).widened(&Float::with_val(32, 1e-3));
-        assert_eq!(wide.to_digits(2).as_deref(), Some("0.33"));
-        assert_eq!(wide.to_digits(4), None);
     }
 }

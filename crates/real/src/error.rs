@@ -12,12 +12,4 @@ pub enum RealError {
         /// The working precision that was reached.
         reached_bits: u32,
     },
-    /// The text is not a decimal number or a fraction.
-    #[error(
-        "'{text}' is not a number: write it as a decimal such as 0.1 or 1e-12, or a fraction such as 1/3"
-    )]
-    NotANumber {
-        /// The text that was given.
-        text: String,
-    },
 }

@@ -14,7 +14,7 @@ impl Ball {
         Self::rounded(prec, Constant::Pi)
     }
 
-    /// Returns the square root; the whole line if the ball reaches below 0.
+    /// Returns the square root; the whole line unless the ball is positive or exactly 0.
     ///
     /// `|sqrt(X) - sqrt(x)| <= r/sqrt(x)` for `X >= 0`.
     #[must_use]
@@ -100,7 +100,11 @@ impl Ball {
         let (mid, direction) = Float::with_val_round(self.prec(), self.mid.gamma_ref(), Round::Nearest);
         let mut rad = rounding_error(&mid, direction);
         if !self.rad.is_zero() {
-            let slope = slope_of_gamma_up(&self.lower()).max(&slope_of_gamma_up(&self.upper()));
+            let lower = self.lower();
+            if lower.is_zero() {
+                return Self::whole_line(self.prec());
+            }
+            let slope = slope_of_gamma_up(&lower).max(&slope_of_gamma_up(&self.upper()));
             let mut spread = self.rad.clone();
             spread.mul_assign_round(&slope, Round::Up);
             rad.add_assign_round(&spread, Round::Up);
@@ -128,6 +132,6 @@ fn slope_of_gamma_up(x: &Float) -> Float {
     let psi = Float::with_val(64, x.digamma_ref());
     let mut product = Float::with_val(64, gamma * psi);
     product.abs_mut();
-    product.mul_assign_round(1.0 + f64::from(2.0f32).powi(-40), Round::Up);
+    product.mul_assign_round(1.0 + 2.0_f64.powi(-40), Round::Up);
     Float::with_val_round(RADIUS_BITS, product, Round::Up).0
 }
