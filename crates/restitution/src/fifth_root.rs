@@ -5,7 +5,7 @@ use crate::rounding::multiply_add;
 /// Pieces in each factor of two.
 const PIECES: usize = 64;
 /// `x^(1/5)` of the 5 x 64 pieces of `[1, 32)`.
-static ROOTS: [Piece; 5 * PIECES] = pieces();
+pub(crate) static ROOTS: [Piece; 5 * PIECES] = pieces();
 /// 2^500, which lifts a subnormal number, and its fifth root.
 const TWO_TO_500: f64 = f64::from_bits((1023 + 500) << 52);
 const TWO_TO_100: f64 = f64::from_bits((1023 + 100) << 52);
@@ -25,11 +25,7 @@ const SERIES: [f64; 6] = [
 ];
 
 /// A root of ten bits, whose fifth power is therefore exact, and the reciprocal of that power.
-#[derive(Clone, Copy)]
-struct Piece {
-    root: f64,
-    reciprocal: f64,
-}
+pub(crate) type Piece = [f64; 2];
 
 /// A fifth root that is known better than one f64: `x^(1/5) = coarse + step p(z)`.
 #[derive(Clone, Copy)]
@@ -50,15 +46,27 @@ impl Root {
     /// ```
     #[inline(always)]
     pub(crate) fn of(x: f64) -> Self {
+        let (index, y, scale) = Self::place(x);
+        Self::from_piece(ROOTS[(index as usize).min(ROOTS.len() - 1)], y, scale)
+    }
+
+    /// Returns the number of the piece that `y` lies in, `y`, and `2^q`.
+    #[inline(always)]
+    pub(crate) fn place(x: f64) -> (u64, f64, f64) {
         let bits = x.to_bits();
         let exponent = (bits >> 52) + 2; // 1025 = 5 * 205 is that of 1
         let q = (exponent * 52429) >> 18; // exponent/5, exact below 2^16
         let rest = exponent - 5 * q;
-        let index = ((rest << 6) | ((bits >> 46) & 63)) as usize;
-        let piece = ROOTS[index.min(ROOTS.len() - 1)];
+        let index = (rest << 6) | ((bits >> 46) & 63);
         let y = f64::from_bits((bits & 0x000f_ffff_ffff_ffff) | ((1023 + rest) << 52));
-        let z = multiply_add(y, piece.reciprocal, -1.0);
-        let coarse = piece.root * f64::from_bits((q + 1023 - 205) << 52);
+        (index, y, f64::from_bits((q + 1023 - 205) << 52))
+    }
+
+    /// Returns the root of `scale^5 y` by the piece of `y`.
+    #[inline(always)]
+    pub(crate) fn from_piece([root, reciprocal]: Piece, y: f64, scale: f64) -> Self {
+        let z = multiply_add(y, reciprocal, -1.0);
+        let coarse = root * scale;
         Self { coarse, step: coarse * z, z }
     }
 
@@ -126,7 +134,7 @@ fn unusual(x: f64) -> f64 {
 
 /// Builds the table at compile time: Newton's iteration, then rounding to multiples of 2^-9.
 const fn pieces() -> [Piece; 5 * PIECES] {
-    let mut table = [Piece { root: 0.0, reciprocal: 0.0 }; 5 * PIECES];
+    let mut table = [[0.0; 2]; 5 * PIECES];
     let mut index = 0;
     while index < table.len() {
         let centre = (1.0 + (index % PIECES) as f64 / 64.0 + 1.0 / 128.0) * (1u64 << (index / PIECES)) as f64;
@@ -137,7 +145,7 @@ const fn pieces() -> [Piece; 5 * PIECES] {
             step += 1;
         }
         root = (root * 512.0 + 0.5) as u64 as f64 / 512.0;
-        table[index] = Piece { root, reciprocal: 1.0 / (root * root * root * root * root) };
+        table[index] = [root, 1.0 / (root * root * root * root * root)];
         index += 1;
     }
     table

@@ -68,14 +68,14 @@ fn near_zero(lost: f64, loss: impl Fn(f64) -> f64) -> f64 {
 
 /// Finds the piece by halving, as `epsilon` falls, then solves `c_0 + t slope(t) = epsilon`.
 fn in_table(pieces: &[Piece], grid: &Grid, epsilon: f64) -> f64 {
-    let value = |index: usize| pieces[index].coefficients[0];
-    let below = pieces.partition_point(|piece| piece.coefficients[0] > epsilon).clamp(1, pieces.len() - 1);
+    let value = |index: usize| pieces[index].constant();
+    let below = pieces.partition_point(|piece| piece.constant() > epsilon).clamp(1, pieces.len() - 1);
     let nearer_above = value(below - 1) - epsilon < epsilon - value(below);
     let index = if nearer_above { below - 1 } else { below };
     let piece = &pieces[index];
-    let [value, slope, ..] = piece.coefficients;
-    let wanted = if epsilon > 0.5 { piece.complement - (1.0 - epsilon) } else { epsilon - value };
-    let mut t = wanted / slope;
+    let wanted =
+        if epsilon > 0.5 { piece.complement() - (1.0 - epsilon) } else { epsilon - piece.constant() };
+    let mut t = wanted / piece.slope(0.0);
     for _ in 0..STEPS {
         let next = wanted / piece.slope(t);
         let change = (next - t).abs();

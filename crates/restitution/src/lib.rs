@@ -34,7 +34,7 @@ mod time_step;
 #[cfg(feature = "std")]
 mod validity;
 
-pub use batch::epsilon_batch;
+pub use batch::{epsilon_batch, one_minus_epsilon_batch, u_of_epsilon_batch};
 #[cfg(feature = "std")]
 pub use collision::{ViscoelasticContact, characteristic_velocity_from};
 #[cfg(feature = "std")]

@@ -1,40 +1,59 @@
 //! Piecewise polynomials on grids that the exponent and leading bits of a shifted argument number.
 
-use crate::rounding::multiply_add;
+use crate::rounding::Number;
 
-/// Bits of the last coefficient, which share a word with the one before it.
-const LAST_BITS: u32 = 28;
+/// By so many places the bits of the last coefficient stand too low in the word that it shares with the one before.
+pub(crate) const LIFT: u32 = 36;
 
 /// A polynomial of degree 6 about the centre of its piece, in one cache line with its complement.
 ///
 /// `c_0 + c_1 t + … + c_6 t^6` is the coefficient of restitution at `centre + t`. As `|t|` is at most 2^-7 of
-/// what `epsilon` varies over, `c_5` needs 24 bits and `c_6` 16: they share a word, and a loop over slices has one
-/// gather less.
+/// what `epsilon` varies over, `c_5` needs 24 bits and `c_6` 16: they share a word.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
-pub(crate) struct Piece {
-    /// `c_0` to `c_4`.
-    pub(crate) coefficients: [f64; 5],
-    /// `c_5` as it stands, rounded to what the bits of `c_6` at the end leave of it.
-    last: u64,
-    /// `1 - c_0`, rounded on its own.
-    pub(crate) complement: f64,
-}
+pub(crate) struct Piece([u64; 8]);
 
 /// Reads a row of a table: seven coefficients and the complement.
 pub(crate) const fn piece(c: [f64; 7], complement: f64) -> Piece {
-    let rest = 64 - LAST_BITS;
-    let sixth = (c[6].to_bits() + (1 << (rest - 1))) >> rest;
-    let fifth = (c[5].to_bits() - sixth + (1 << (LAST_BITS - 1))) >> LAST_BITS << LAST_BITS;
-    Piece { coefficients: [c[0], c[1], c[2], c[3], c[4]], last: fifth | sixth, complement }
+    let sixth = (c[6].to_bits() + (1 << (LIFT - 1))) >> LIFT;
+    let fifth = (c[5].to_bits() - sixth + (1 << (63 - LIFT))) >> (64 - LIFT) << (64 - LIFT);
+    Piece([
+        c[0].to_bits(),
+        c[1].to_bits(),
+        c[2].to_bits(),
+        c[3].to_bits(),
+        c[4].to_bits(),
+        fifth | sixth,
+        complement.to_bits(),
+        0,
+    ])
 }
 
 impl Piece {
+    /// The bits of `c_0` to `c_4`; of `c_5` as it stands, rounded to what those of `c_6` at its end leave of it, which
+    /// belong [`LIFT`] places higher; of `1 - c_0`, rounded on its own; nothing.
+    #[inline(always)]
+    pub(crate) fn row(&self) -> &[u64; 8] {
+        &self.0
+    }
+
     /// Returns `c_0` to `c_6`.
     #[inline(always)]
     fn all(&self) -> [f64; 7] {
-        let [c0, c1, c2, c3, c4] = self.coefficients;
-        [c0, c1, c2, c3, c4, f64::from_bits(self.last), f64::from_bits(self.last << (64 - LAST_BITS))]
+        let [c0, c1, c2, c3, c4, last, ..] = self.0;
+        [c0, c1, c2, c3, c4, last, last << LIFT].map(f64::from_bits)
+    }
+
+    /// Returns `c_0`, the coefficient of restitution at the centre.
+    #[inline(always)]
+    pub(crate) fn constant(&self) -> f64 {
+        f64::from_bits(self.0[0])
+    }
+
+    /// Returns `1 - c_0`, rounded on its own.
+    #[inline(always)]
+    pub(crate) fn complement(&self) -> f64 {
+        f64::from_bits(self.0[6])
     }
 
     /// Returns the coefficient of restitution at `centre + t`.
@@ -46,7 +65,7 @@ impl Piece {
     /// Returns one less that.
     #[inline(always)]
     pub(crate) fn one_minus(&self, t: f64) -> f64 {
-        multiply_add(-t, slope(&self.all(), t), self.complement)
+        one_minus(&self.all(), self.complement(), t)
     }
 
     /// Returns the mean slope from the centre to `centre + t`, `(value(t) - c_0)/t`.
@@ -56,20 +75,26 @@ impl Piece {
     }
 }
 
+/// Returns one less the polynomial, from one less its constant.
+#[inline(always)]
+pub(crate) fn one_minus<T: Number>(c: &[T; 7], complement: T, t: T) -> T {
+    t.negated().multiply_add(slope(c, t), complement)
+}
+
 /// Returns `c_0 + c_1 t + … + c_6 t^6`.
 #[inline(always)]
-pub(crate) fn polynomial(c: &[f64; 7], t: f64) -> f64 {
-    multiply_add(t, slope(c, t), c[0])
+pub(crate) fn polynomial<T: Number>(c: &[T; 7], t: T) -> T {
+    t.multiply_add(slope(c, t), c[0])
 }
 
 /// Returns `c_1 + c_2 t + … + c_6 t^5` by Estrin's scheme.
 #[inline(always)]
-fn slope(c: &[f64; 7], t: f64) -> f64 {
+fn slope<T: Number>(c: &[T; 7], t: T) -> T {
     let t2 = t * t;
-    let low = multiply_add(t, c[2], c[1]);
-    let middle = multiply_add(t, c[4], c[3]);
-    let high = multiply_add(t, c[6], c[5]);
-    multiply_add(t2, multiply_add(t2, high, middle), low)
+    let low = t.multiply_add(c[2], c[1]);
+    let middle = t.multiply_add(c[4], c[3]);
+    let high = t.multiply_add(c[6], c[5]);
+    t2.multiply_add(t2.multiply_add(high, middle), low)
 }
 
 /// Pieces of `2^-bits` of a factor of two each, in `x + shift`.

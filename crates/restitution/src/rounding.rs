@@ -13,6 +13,26 @@ pub(crate) fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
     }
 }
 
+/// A number, or several side by side: what the polynomials are evaluated in.
+pub(crate) trait Number: Copy + core::ops::Mul<Output = Self> {
+    /// `self b + c` as [`multiply_add`] rounds it.
+    fn multiply_add(self, b: Self, c: Self) -> Self;
+    /// The number with the opposite sign.
+    fn negated(self) -> Self;
+}
+
+impl Number for f64 {
+    #[inline(always)]
+    fn multiply_add(self, b: Self, c: Self) -> Self {
+        multiply_add(self, b, c)
+    }
+
+    #[inline(always)]
+    fn negated(self) -> Self {
+        -self
+    }
+}
+
 /// Returns `(p, e)` with `a b = p + e` exactly, barring overflow and underflow.
 ///
 /// Dekker's product (Muller et al., *Handbook of Floating-Point Arithmetic*, 2nd ed., alg. 4.10).

@@ -118,12 +118,10 @@ impl Restitution {
         one_minus_epsilon(self.u(velocity), self.end)
     }
 
-    /// Writes the coefficients at `velocities` to `out`, as far as the shorter of the two reaches.
-    #[inline]
-    pub fn epsilon_batch(&self, velocities: &[f64], out: &mut [f64]) {
-        for (velocity, out) in velocities.iter().zip(out) {
-            *out = self.epsilon(*velocity);
-        }
+    /// `f`.
+    #[inline(always)]
+    pub(crate) fn factor(&self) -> f64 {
+        self.factor
     }
 }
 

@@ -2,17 +2,21 @@
 
 use crate::fifth_root::Root;
 use crate::rounding::{multiply_add, two_product};
-use crate::tables::zero_compression::{GRID, NEAR, PIECES, R5};
+use crate::tables::zero_compression::{NEAR, PIECES, R5};
 
-pub(crate) use crate::tables::zero_compression::NEAR_END;
+pub(crate) use crate::tables::zero_compression::{GRID, NEAR_END};
+
+/// The pieces, for batches.
+pub(crate) static TABLE: &[crate::pieces::Piece; ROWS] = &PIECES;
+pub(crate) const ROWS: usize = PIECES.len();
 
 /// What the rounded `R^5` lacks, relative to it.
 const R5_RESIDUAL: f64 = R5[1] / R5[0];
 
 /// Below, `epsilon` is 1; the table gives that but for its rounding.
-const NOTHING_LOST: f64 = f64::EPSILON / 16.0;
+pub(crate) const NOTHING_LOST: f64 = f64::EPSILON / 16.0;
 /// From here on an argument is rounded beyond the table.
-pub(crate) const TABLE_END: f64 = GRID.end(PIECES.len());
+pub(crate) const TABLE_END: f64 = GRID.end(ROWS);
 /// Below, no power of `u` overflows and no `u^(-5)` is subnormal.
 pub(crate) const LARGE: f64 = f64::from_bits((1023 + 150) << 52);
 
@@ -23,21 +27,6 @@ pub(crate) fn epsilon(u: f64) -> f64 {
         Some(piece) if u >= NOTHING_LOST => piece.value(u - centre),
         _ => beyond(u, 0.0),
     }
-}
-
-/// `epsilon` for `0 <= u < TABLE_END` without a branch, for loops over slices.
-#[inline(always)]
-pub(crate) fn epsilon_within(u: f64) -> f64 {
-    let (index, centre) = GRID.locate(u);
-    let value = PIECES[index.min(PIECES.len() - 1)].value(u - centre);
-    if u >= NOTHING_LOST { value } else { 1.0 }
-}
-
-/// `epsilon` for `0 <= u < LARGE`, also without a branch.
-#[inline(always)]
-pub(crate) fn epsilon_to_large(u: f64) -> f64 {
-    let (within, beyond) = (epsilon_within(u), inverse_fifth_power(u, 0.0));
-    if u < TABLE_END { within } else { beyond }
 }
 
 #[inline(always)]
@@ -100,8 +89,9 @@ fn beyond(u: f64, low: f64) -> f64 {
     inverse_fifth_power(u * SCALE, low * SCALE) * SCALE_TO_5 // NaN comes through here
 }
 
+/// `R^5/(u + low)^5`.
 #[inline(always)]
-fn inverse_fifth_power(u: f64, low: f64) -> f64 {
+pub(crate) fn inverse_fifth_power(u: f64, low: f64) -> f64 {
     let (u2, error2) = two_product(u, u);
     let (u4, error4) = two_product(u2, u2);
     let (u5, error5) = two_product(u4, u);

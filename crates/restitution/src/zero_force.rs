@@ -3,12 +3,16 @@
 use crate::fifth_root::Root;
 use crate::pieces::{Grid, polynomial};
 use crate::rounding::{multiply_add, square_root, two_product};
-use crate::tables::zero_force::{BEYOND, GRID, LIMIT, NEAR_HALVES, NEAR_WHOLES, PIECES};
+use crate::tables::zero_force::{BEYOND, LIMIT, NEAR_HALVES, NEAR_WHOLES, PIECES};
 
-pub(crate) use crate::tables::zero_force::NEAR_END;
+pub(crate) use crate::tables::zero_force::{GRID, NEAR_END};
+
+/// The pieces, for batches.
+pub(crate) static TABLE: &[crate::pieces::Piece; ROWS] = &PIECES;
+pub(crate) const ROWS: usize = PIECES.len();
 
 /// From here on an argument is rounded beyond the table.
-pub(crate) const TABLE_END: f64 = GRID.end(PIECES.len());
+pub(crate) const TABLE_END: f64 = GRID.end(ROWS);
 /// Pieces of 1/32 of a factor of two in `u^(-1/3) + 1/16`.
 const GRID_BEYOND: Grid = Grid::new(1.0 / 16.0, 5, 0.0);
 
@@ -22,20 +26,6 @@ pub(crate) fn epsilon(u: f64) -> f64 {
         Some(piece) => piece.value(u - centre),
         None => beyond(u, 0.0),
     }
-}
-
-/// `epsilon` for `NEAR_END <= u < TABLE_END` without a branch, for loops over slices.
-#[inline(always)]
-pub(crate) fn epsilon_within(u: f64) -> f64 {
-    let (index, centre) = GRID.locate(u);
-    PIECES[index.min(PIECES.len() - 1)].value(u - centre)
-}
-
-/// `epsilon` for `0 <= u < TABLE_END` with a selection in place of a branch.
-#[inline(always)]
-pub(crate) fn epsilon_to_far(u: f64) -> f64 {
-    let (near, within) = (1.0 - near(u), epsilon_within(u));
-    if u < NEAR_END { near } else { within }
 }
 
 #[inline(always)]

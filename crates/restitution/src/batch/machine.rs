@@ -1,0 +1,109 @@
+//! What a processor is asked for: rows of a table, looked up and evaluated side by side.
+
+use super::block::{BLOCK, Batch};
+use crate::fifth_root::ROOTS;
+use crate::pieces::Piece;
+use core::ops::{Deref, DerefMut};
+
+/// Arguments that are looked at together, where a vector of any width is loaded and stored at once.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+pub(super) struct Block<T>(pub(super) [T; BLOCK]);
+
+impl<T: Copy + Default> Block<T> {
+    #[inline(always)]
+    pub(super) fn zeros() -> Self {
+        Self([T::default(); BLOCK])
+    }
+}
+
+impl<T> Deref for Block<T> {
+    type Target = [T; BLOCK];
+
+    #[inline(always)]
+    fn deref(&self) -> &[T; BLOCK] {
+        &self.0
+    }
+}
+
+impl<T> DerefMut for Block<T> {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut [T; BLOCK] {
+        &mut self.0
+    }
+}
+
+/// A set of instructions that a block is evaluated with.
+pub(super) trait Machine: Copy {
+    /// Writes the coefficient at `centre + t` of the piece of each index, the last piece for indexes beyond.
+    fn values<const N: usize>(
+        self,
+        table: &[Piece; N],
+        index: &Block<u64>,
+        t: &Block<f64>,
+        out: &mut [f64; BLOCK],
+    );
+
+    /// Writes one less the coefficient.
+    fn losses<const N: usize>(
+        self,
+        table: &[Piece; N],
+        index: &Block<u64>,
+        t: &Block<f64>,
+        out: &mut [f64; BLOCK],
+    );
+
+    /// Writes the roots and the reciprocals of the pieces of the fifth root.
+    fn roots(self, index: &Block<u64>, root: &mut Block<f64>, reciprocal: &mut Block<f64>);
+}
+
+/// The instructions that the crate is compiled for.
+#[derive(Clone, Copy)]
+pub(super) struct Compiled;
+
+impl Machine for Compiled {
+    #[inline(always)]
+    fn values<const N: usize>(
+        self,
+        table: &[Piece; N],
+        index: &Block<u64>,
+        t: &Block<f64>,
+        out: &mut [f64; BLOCK],
+    ) {
+        for i in 0..BLOCK {
+            out[i] = table[(index[i] as usize).min(N - 1)].value(t[i]);
+        }
+    }
+
+    #[inline(always)]
+    fn losses<const N: usize>(
+        self,
+        table: &[Piece; N],
+        index: &Block<u64>,
+        t: &Block<f64>,
+        out: &mut [f64; BLOCK],
+    ) {
+        for i in 0..BLOCK {
+            out[i] = table[(index[i] as usize).min(N - 1)].one_minus(t[i]);
+        }
+    }
+
+    #[inline(always)]
+    fn roots(self, index: &Block<u64>, root: &mut Block<f64>, reciprocal: &mut Block<f64>) {
+        for i in 0..BLOCK {
+            [root[i], reciprocal[i]] = ROOTS[(index[i] as usize).min(ROOTS.len() - 1)];
+        }
+    }
+}
+
+/// Runs a batch with the widest vectors of the processor at hand.
+pub(super) fn run(batch: Batch<'_>) {
+    #[cfg(all(feature = "simd", target_arch = "x86_64"))]
+    {
+        super::x86::run(batch);
+    }
+    #[cfg(not(all(feature = "simd", target_arch = "x86_64")))]
+    {
+        batch.run(Compiled);
+    }
+}
