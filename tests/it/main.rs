@@ -19,6 +19,7 @@ mod fast_vs_direct;
 mod fit;
 mod hard_cases;
 mod identities;
+mod interpolant;
 mod laws;
 mod materials;
 mod numbers;

@@ -48,6 +48,22 @@ pub enum DirectError {
         /// The force law.
         law: Box<ForceLaw>,
     },
+    /// An interval, a degree or a precision that an interpolant cannot have.
+    #[error(
+        "an interpolant needs 0 <= from <= to, a degree of at most 100 and 40 to 20000 bits, not {interval}"
+    )]
+    Interval {
+        /// What was asked for.
+        interval: String,
+    },
+    /// The motion has a branch point at zero compression.
+    #[error(
+        "no interpolant for the law {law}: it needs (GAMMA+1)/(A+1) as a fraction of numbers up to 12; enclose single dampings instead"
+    )]
+    NoInterpolant {
+        /// The force law.
+        law: Box<ForceLaw>,
+    },
     /// The exit speed does not saturate for this law.
     #[error(
         "the law {law} has no finite exit speed at high velocity: it needs A > GAMMA and 2 GAMMA > A - 1"
