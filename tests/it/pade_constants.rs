@@ -202,3 +202,39 @@ fn recommended_approximants() {
     let table = printed("--list recommended");
     in_snapshots("pade", || insta::assert_snapshot!("recommended", table));
 }
+
+/// The lines of a table that carry constants.
+fn constants_of(line: &str) -> Vec<Vec<String>> {
+    rows(&printed(&format!("{line} --digits 20 --format csv")))
+}
+
+/// Time reversal makes the coefficient of `u^10` in `1/eps` exactly zero, which no enclosure shows.
+#[test]
+fn a_block_that_time_reversal_makes() {
+    let expected = constants_of("0 9");
+    assert_eq!(expected.len(), 11);
+    for same in ["0 10", "1 9", "1 10"] {
+        assert_eq!(constants_of(same), expected, "{same}");
+    }
+    let table = printed("1 10");
+    assert!(table.contains("exact type: [0/9]") && table.contains("order of contact at 0: 11"), "{table}");
+    assert_eq!(constants_of("2 10").len(), 14);
+    // Viscoelastic bodies with a = 2 have p = 1/3: the coefficient of u^6.
+    assert_eq!(constants_of("0 6 --law 2,1"), constants_of("0 5 --law 2,1"));
+}
+
+#[test]
+fn a_range_beyond_critical_damping_is_cut_short() {
+    for (line, end) in
+        [("1 2 --law 1,0", 1.99), ("2 1 --law 1,0", 1.99), ("0 1 --law 3,1/2 --range 1,9", 1.3)]
+    {
+        let table = printed(line);
+        let note =
+            table.lines().find(|l| l.contains("critical damping")).unwrap_or_else(|| panic!("{table}"));
+        let shown: f64 = note.rsplit(' ').next().unwrap().parse().unwrap();
+        assert!(shown >= end && shown < end + 0.04, "{note}");
+        assert!(table.contains(&format!("<= u <= {shown}:")), "{table}");
+    }
+    let beyond = refused("1 2 --law 1,0 --range 2,3");
+    assert!(beyond.contains("give --range with a smaller end"), "{beyond}");
+}

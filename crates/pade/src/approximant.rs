@@ -84,6 +84,23 @@ impl<F: OrderedField> Approximant<F> {
         self.function.den()
     }
 
+    /// Returns the approximant `Q/P` of the reciprocal series, of type `[M/L]`.
+    ///
+    /// `[L/M]` of `A` is the reciprocal of `[M/L]` of `1/A` (Hadamard), for every entry of the table where
+    /// `A(0)` is not zero; so an exact zero among the coefficients of `1/A` decides what the balls of
+    /// `A` leave open.
+    ///
+    /// # Errors
+    ///
+    /// [`PadeError::PoleAtZero`] if the series vanishes at 0, [`PadeError::Undecided`] if a ball leaves that open.
+    pub fn reciprocal(&self) -> Result<Self, PadeError> {
+        let function = RationalFunction::new(self.field(), self.den().to_vec(), self.num().to_vec())?;
+        let asked = PadeType::new(self.asked.denominator, self.asked.numerator);
+        let shared = RationalFunction::new(self.field(), vec![self.field().one()], self.shared.clone())?
+            .series(self.shared.len());
+        Ok(Self { asked, function, shared, ..self.clone() })
+    }
+
     /// The field of the coefficients.
     pub fn field(&self) -> &F {
         self.function.field()

@@ -4,10 +4,10 @@ use crate::CliError;
 use crate::args::EndOfContact;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
-use restitution_direct::{Collision, End, saturation_speed};
+use restitution_direct::{Collision, DirectError, End, saturation_speed};
 use restitution_law::ForceLaw;
-use restitution_pade::{AtInfinity, Sample};
-use restitution_real::{Ball, Balls};
+use restitution_pade::{AtInfinity, RationalFunction, Sample};
+use restitution_real::{Ball, Balls, Field};
 use restitution_series::{DelayedRecovery, Quantity, coefficients};
 use std::collections::HashMap;
 use std::sync::Mutex;
@@ -105,6 +105,51 @@ impl Expansion {
         let mut values = coefficients(quantity, &self.law, order, digits).map_err(CliError::failure)?;
         values.truncate(count);
         Ok(values)
+    }
+
+    /// The reciprocal of the series, where time reversal makes one of its coefficients exactly zero.
+    ///
+    /// With `v = -u eps^p`, which is its own inverse, Lagrange's formula gives for `k = 1/p` whole
+    ///
+    /// ```text
+    /// k [u^k] v^-k = -k [u^k] v^-k,    hence    [u^(2k)] 1/eps = 0
+    /// ```
+    ///
+    /// so that (spheres) the approximants `[0/10]`, `[1/9]`, `[1/10]` in `u` are all `[0/9]`. No enclosure can
+    /// show that. `None` where the series is shorter or `1/p` is not whole.
+    pub fn reciprocal(&self, series: &[Ball], bits: u32) -> Result<Option<Vec<Ball>>, CliError> {
+        let power = self.law.velocity_exponent();
+        let whole = power.is_positive() && power.numer().is_one() && self.end() == End::ZeroCompression;
+        let steps = if self.variable == Variable::SqrtU { 4 } else { 2 };
+        let index = power.denom().to_usize().and_then(|k| k.checked_mul(steps)).filter(|_| whole);
+        let Some(index) = index.filter(|&index| index < series.len()) else { return Ok(None) };
+        let field = Balls::new(bits);
+        let one_over = RationalFunction::new(&field, vec![field.one()], series.to_vec())?;
+        let mut reciprocal = one_over.series(series.len());
+        reciprocal[index] = field.zero();
+        Ok(Some(reciprocal))
+    }
+
+    /// The largest `u <= high`, to about three digits, at which the bodies separate.
+    ///
+    /// For laws with `p <= 0` there is a critical damping beyond which they do not.
+    pub fn reach(&self, high: &BigRational) -> Result<BigRational, CliError> {
+        const HALVINGS: usize = 10;
+        const DIGITS: usize = 5;
+        let has_value = |u: &BigRational| match self.collision.epsilon(u, DIGITS) {
+            Ok(_) => Ok(true),
+            Err(DirectError::Overdamped { .. } | DirectError::Vanishing { .. }) => Ok(false),
+            Err(error) => Err(CliError::failure(error)),
+        };
+        if self.law.velocity_exponent().is_positive() || has_value(high)? {
+            return Ok(high.clone());
+        }
+        let (mut low, mut beyond) = (BigRational::zero(), high.clone());
+        for _ in 0..HALVINGS {
+            let middle = (&low + &beyond) / BigRational::from_integer(2.into());
+            if has_value(&middle)? { low = middle } else { beyond = middle }
+        }
+        Ok(low)
     }
 
     /// `h_k` of `eps = sum h_k u^(k/2)`.

@@ -63,13 +63,32 @@ pub fn judge(expansion: &Expansion, request: &Request) -> Result<Judged, CliErro
             let infinity = expansion.at_infinity(request.at_infinity, bits)?;
             two_point(&Balls::new(bits), &series, request.asked, &infinity)
         } else {
-            approximant(&Balls::new(bits), &series, request.asked)
+            nearest(expansion, &series, request.asked, bits)?
         };
         Ok(found.and_then(|approximant| {
             constants(approximant.function(), request.digits)?;
             let verdict = verdict(&approximant, &Interval::HalfLine)?;
             Ok(Judged { approximant, verdict })
         }))
+    })
+}
+
+/// The approximant with contact at 0 alone, by the reciprocal series where that knows more.
+///
+/// # Errors
+///
+/// Those of [`Expansion::reciprocal`]; the inner ones are those of [`approximant`].
+pub fn nearest(
+    expansion: &Expansion,
+    series: &[Ball],
+    asked: PadeType,
+    bits: u32,
+) -> Result<Result<Approximant<Balls>, PadeError>, CliError> {
+    let field = Balls::new(bits);
+    let turned = PadeType::new(asked.denominator, asked.numerator);
+    Ok(match expansion.reciprocal(series, bits)? {
+        Some(reciprocal) => approximant(&field, &reciprocal, turned).and_then(|found| found.reciprocal()),
+        None => approximant(&field, series, asked),
     })
 }
 
@@ -116,10 +135,39 @@ pub fn error_on_range(
 }
 
 /// How far the error stays at or below the level.
-fn reach(expansion: &Expansion, judged: &Judged, level: &BigRational) -> Result<Reach, CliError> {
-    let end = |n: i64| BigRational::from_integer(n.into());
-    let points = grid(&end(0), &end(FARTHEST), 2 * GRID)?;
+fn reach(
+    expansion: &Expansion,
+    judged: &Judged,
+    level: &BigRational,
+    farthest: &BigRational,
+) -> Result<Reach, CliError> {
+    let points = grid(&BigRational::from_integer(0.into()), farthest, 2 * GRID)?;
     largest_reach(judged.approximant.function(), &points, level, |u| expansion.sample(u))
+}
+
+/// The range of the request as far as there are values, with a note where it is cut short.
+///
+/// # Errors
+///
+/// Usage if the whole range lies beyond the critical damping.
+pub fn range_with_values(
+    expansion: &Expansion,
+    (low, high): &(BigRational, BigRational),
+) -> Result<((BigRational, BigRational), Option<String>), CliError> {
+    let end = expansion.reach(high)?;
+    if end == *high {
+        return Ok(((low.clone(), end), None));
+    }
+    let shown = decimal(&end);
+    if end <= *low {
+        return Err(CliError::usage(format!(
+            "beyond u = {shown} the bodies never separate and there is no value to compare with: give --range with a smaller end"
+        )));
+    }
+    let note = format!(
+        "critical damping lies a little beyond u = {shown}: from there on the bodies never separate, so errors are looked for up to {shown}"
+    );
+    Ok(((low.clone(), end), Some(note)))
 }
 
 /// Writes the verdict below the table and into the fields of its JSON form.
@@ -144,17 +192,23 @@ pub fn report(
     table.said("zeros", "real zeros on [0, inf)", zeros);
     table.said("trend", "trend", Cell::text(verdict.trend));
     table.said("bounds", "values", Cell::text(verdict.bounds));
-    let worst = error_on_range(expansion, entry, &request.range)?;
-    let (low, high) = (decimal(&request.range.0), decimal(&request.range.1));
+    let (range, cut) = range_with_values(expansion, &request.range)?;
+    let worst = error_on_range(expansion, entry, &range)?;
+    let (low, high) = (decimal(&range.0), decimal(&range.1));
     let label = format!("largest relative error seen for {low} <= u <= {high}");
     table.said("largest_error", &label, Cell::digits(error_bound(&worst.error)));
     table.said("largest_error_at", "seen at u", Cell::digits(decimal(&worst.at)));
-    let reach = match reach(expansion, judged, &request.level)? {
+    let farthest = expansion.reach(&BigRational::from_integer(FARTHEST.into()))?;
+    let reach = match reach(expansion, judged, &request.level, &farthest)? {
+        Reach::Everywhere if cut.is_some() => decimal(&farthest),
         Reach::Everywhere => format!("{FARTHEST} or more"),
         Reach::UpTo(u) => decimal(&u),
     };
     let label = format!("relative error at most {} up to u", error_text(&request.level));
     table.said("error_reach", &label, Cell::digits(reach));
+    if let Some(cut) = cut {
+        table.note(cut);
+    }
     Ok(())
 }
 

@@ -1,12 +1,12 @@
 //! A map of the Padé table.
 
 use super::expansion::Expansion;
-use super::judgement::{Request, decimal, error_bound, error_on_range, first_bits};
+use super::judgement::{
+    Request, decimal, error_bound, error_on_range, first_bits, nearest, range_with_values,
+};
 use crate::progress::Progress;
 use crate::{Cell, CliError, Table};
-use restitution_pade::{
-    Approximant, Interval, PadeError, PadeType, Verdict, approximant, verdict, with_precision,
-};
+use restitution_pade::{Approximant, Interval, PadeError, PadeType, Verdict, verdict, with_precision};
 use restitution_real::{Ball, Balls};
 use std::collections::HashMap;
 
@@ -16,6 +16,8 @@ const ATTEMPTS: u32 = 8;
 /// Every approximant up to `[N/N]` with its verdict and its largest error on the range.
 pub fn table(expansion: &Expansion, request: &Request) -> Result<Table, CliError> {
     let side = request.asked.numerator;
+    let (range, cut) = range_with_values(expansion, &request.range)?;
+    let request = &Request { range, ..request.clone() };
     let mut table = Table::new(&["L", "M", "type", "contact", "poles", "zeros", "trend", "values", "error"])
         .titled(format!("Padé table of eps in {} up to {}", expansion.variable().name(), request.asked));
     let progress = Progress::steps("approximants", ((side + 1) * (side + 1)) as u64);
@@ -29,6 +31,7 @@ pub fn table(expansion: &Expansion, request: &Request) -> Result<Table, CliError
     }
     let (low, high) = (decimal(&request.range.0), decimal(&request.range.1));
     table.note(format!("type: exact type in lowest terms; contact: order of contact; poles, zeros: on [0, inf); error: largest relative error seen for {low} <= u <= {high}, empty if a pole lies there"));
+    cut.into_iter().for_each(|cut| table.note(cut));
     Ok(table)
 }
 
@@ -79,7 +82,10 @@ fn find(
                 Err(error) => return Ok(Ok(Err(error))),
             },
         };
-        Ok(approximant(&Balls::new(bits), known, asked)
-            .and_then(|entry| verdict(&entry, &Interval::HalfLine).map(|verdict| Ok((entry, verdict)))))
+        let found = match nearest(expansion, known, asked, bits) {
+            Ok(found) => found,
+            Err(error) => return Ok(Ok(Err(error))),
+        };
+        Ok(found.and_then(|entry| verdict(&entry, &Interval::HalfLine).map(|verdict| Ok((entry, verdict)))))
     })
 }
