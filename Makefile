@@ -3,7 +3,7 @@ CARGO ?= cargo
 .DEFAULT_GOAL := help
 SIZE ?= minutes
 SEED ?= 1
-.PHONY: help table tables test attack test-tools tools fmt clippy doc bench bench-peers clean
+.PHONY: help table tables test attack test-tools tools fmt clippy doc bench bench-peers mutants clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -58,6 +58,11 @@ tools: # what a build needs: m4 is installed if it is missing, the rest is asked
 
 test-tools: tools # what the tests of exported sources need beyond a build; installed if missing
 	@sh scripts/need cargo-fmt cargo-clippy c++ gfortran numpy octave-cli
+
+PACKAGE ?= restitution-real
+mutants: tools ## break the code that rounds on purpose, a line at a time: which breaks do its own tests miss? (an hour; PACKAGE=restitution-pade)
+	@command -v cargo-mutants >/dev/null || $(CARGO) install cargo-mutants --locked
+	$(CARGO) mutants --package $(PACKAGE) --timeout 120
 
 clean: ## remove what was built
 	$(CARGO) clean

@@ -28,9 +28,6 @@ pub(crate) fn sub(x: &Ball, y: &Ball, prec: u32) -> Ball {
 
 /// `|x y - X Y| <= |x| ry + |y| rx + rx ry + rounding`.
 pub(crate) fn mul(x: &Ball, y: &Ball, prec: u32) -> Ball {
-    if !x.is_finite() || !y.is_finite() {
-        return Ball::whole_line(prec);
-    }
     let (mid, direction) = Float::with_val_round(prec, &x.mid * &y.mid, Round::Nearest);
     let mut rad = rounding_error(&mid, direction);
     if !y.rad.is_zero() {
@@ -48,7 +45,7 @@ pub(crate) fn mul(x: &Ball, y: &Ball, prec: u32) -> Ball {
 
 /// `|x/y - X/Y| <= (rx + |x/y| ry)/min|Y| + rounding`; the whole line if `y` contains 0.
 pub(crate) fn div(x: &Ball, y: &Ball, prec: u32) -> Ball {
-    if y.contains_zero() || !x.is_finite() {
+    if y.contains_zero() {
         return Ball::whole_line(prec);
     }
     let (mid, direction) = Float::with_val_round(prec, &x.mid / &y.mid, Round::Nearest);
@@ -152,15 +149,11 @@ impl Ball {
         let exponents = i64::from(exp_min())..=i64::from(exp_max());
         let fits = |x: &Float| x.get_exp().is_none_or(|e| exponents.contains(&(i64::from(e) + power)));
         let inside = fits(&self.mid) && fits(&self.rad);
-        if !inside && power > 0 {
-            *self = Self::whole_line(self.prec());
-            return;
-        }
-        let power = i32::try_from(power).unwrap_or(i32::MIN);
+        let power = i32::try_from(power).unwrap_or(if power < 0 { i32::MIN } else { i32::MAX });
         self.mid <<= power;
         self.rad <<= power;
         if !inside {
-            self.widen(&smallest_error());
+            *self = Self::new(self.mid.clone(), &self.rad).widened(&smallest_error());
         }
     }
 
