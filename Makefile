@@ -3,7 +3,7 @@ CARGO ?= cargo
 .DEFAULT_GOAL := help
 SIZE ?= minutes
 SEED ?= 1
-.PHONY: help table tables test attack test-tools tools fmt clippy doc bench bench-peers mutants clean
+.PHONY: help table tables test test-python test-page attack test-tools tools fmt clippy doc bench bench-peers mutants clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -14,15 +14,40 @@ table: tools ## build the command and print C_1..C_8 and a_1..a_8 to 20 digits
 	@$(CARGO) run --release --locked --quiet --package restitution-cli -- table
 
 TABLES = crates/restitution/src/tables
+PAGE = crates/page/src
 tables: tools ## regenerate every generated table of the evaluator
 	$(CARGO) build --release --locked --quiet --package restitution-cli
 	target/release/restitution export --lang evaluator-constants -o $(TABLES)/constants.rs
 	target/release/restitution export --lang evaluator-tables -o $(TABLES)/zero_compression.rs
 	target/release/restitution export --lang evaluator-tables --end zero-force -o $(TABLES)/zero_force.rs
 	target/release/restitution export --lang evaluator-tiers -o $(TABLES)/tiers.rs
+	target/release/restitution export --lang js --tolerance 1e-12 --beyond law --name zero_compression -o $(PAGE)/zero_compression.js
+	target/release/restitution export --lang js --tolerance 1e-12 --range 0,200 --end zero-force --name zero_force -o $(PAGE)/zero_force.js
 
-test: tools test-tools fmt clippy doc ## check formats, lints, documentation; run every test
-	CI=true $(CARGO) test --workspace --locked --quiet
+STEP = @sh scripts/step
+test: tools test-tools ## check formats, lints, documentation; run every test
+	$(STEP) formats $(CARGO) fmt --all --check
+	$(STEP) lints $(MAKE) --no-print-directory clippy
+	$(STEP) documentation $(MAKE) --no-print-directory doc
+	$(STEP) tests env CI=true $(CARGO) test --workspace --locked --quiet
+	$(STEP) python $(MAKE) --no-print-directory test-python
+	$(STEP) page $(MAKE) --no-print-directory test-page
+
+PYTHON = target/python
+test-python: tools $(PYTHON)/ready ## install the Python package into target/python and test it
+	$(PYTHON)/bin/pip install --quiet --disable-pip-version-check ./crates/python
+	cd crates/python && ../../$(PYTHON)/bin/python -m pytest --quiet
+
+test-page: tools $(PYTHON)/ready ## test the page of `restitution page` in a real browser
+	@sh scripts/need chromium
+	$(CARGO) build --release --locked --quiet --package restitution-cli
+	$(PYTHON)/bin/python -m pytest --quiet crates/page/tests
+
+$(PYTHON)/ready: crates/python/tests/requirements.txt crates/page/tests/requirements.txt
+	@python3 -c 'import ensurepip' 2>/dev/null || sh scripts/need python-venv
+	python3 -m venv $(PYTHON)
+	$(PYTHON)/bin/pip install --quiet --disable-pip-version-check $(addprefix --requirement ,$^)
+	@touch $@
 
 attack: tools test-tools ## attack every promise; PARTS="f64 commands", SIZE=slice|minutes|full, SEED=1, CASES=n
 	$(CARGO) build --release --locked --quiet --package restitution-cli --package restitution-attack
@@ -57,7 +82,7 @@ tools: # what a build needs: m4 is installed if it is missing, the rest is asked
 	@sh scripts/need cargo cc make m4
 
 test-tools: tools # what the tests of exported sources need beyond a build; installed if missing
-	@sh scripts/need cargo-fmt cargo-clippy c++ gfortran numpy octave-cli
+	@sh scripts/need cargo-fmt cargo-clippy c++ gfortran numpy octave-cli node
 
 PACKAGE ?= restitution-real
 mutants: tools ## break the code that rounds on purpose, a line at a time: which breaks do its own tests miss? (an hour; PACKAGE=restitution-pade)

@@ -101,7 +101,7 @@ macro_rules! in_every_language {
         })*
     };
 }
-in_every_language!(rust c cpp fortran python numpy matlab);
+in_every_language!(rust c cpp fortran python numpy javascript matlab);
 
 #[test]
 fn every_language_has_a_driver_or_is_not_run() {

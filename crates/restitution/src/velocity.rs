@@ -49,8 +49,33 @@ impl Restitution {
         Self::from_factor(u_1 * u_1 * u_1 * u_1 * u_1, end)
     }
 
-    fn from_factor(factor: f64, end: End) -> Self {
+    /// From `f = u_1^5`, the factor of the velocity in `u^5`.
+    #[must_use]
+    pub fn from_factor(factor: f64, end: End) -> Self {
         Self { factor: if is_ordinary(factor) { factor } else { f64::NAN }, end }
+    }
+
+    /// The factor `f` of the velocity in `u^5 = f g`; NaN where the scale was not positive and finite.
+    #[inline(always)]
+    #[must_use]
+    pub fn factor(&self) -> f64 {
+        self.factor
+    }
+
+    /// The velocity `g*` at which `|C_1| u = 1` (eq. 31), within 8 ulp of the one that `f` stands for.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution::{End, Restitution};
+    ///
+    /// let g_star = Restitution::from_u_at_unit_velocity(2.0, End::ZeroForce).g_star();
+    /// assert!((g_star - 1.0 / (2.0_f64 * 1.1534488580952889).powi(5)).abs() < 1e-17);
+    /// assert!(Restitution::from_factor(-1.0, End::ZeroForce).g_star().is_nan());
+    /// ```
+    #[must_use]
+    pub fn g_star(&self) -> f64 {
+        1.0 / (SLOPE * SLOPE * SLOPE * SLOPE * SLOPE * self.factor)
     }
 
     /// Where the contact ends.
@@ -116,12 +141,6 @@ impl Restitution {
     #[must_use]
     pub fn one_minus_epsilon(&self, velocity: f64) -> f64 {
         one_minus_epsilon(self.u(velocity), self.end)
-    }
-
-    /// `f`.
-    #[inline(always)]
-    pub(crate) fn factor(&self) -> f64 {
-        self.factor
     }
 }
 

@@ -33,7 +33,7 @@ const FORTRAN_FLAGS: &[&[&str]] = &[
     &["-Ofast", "-march=native", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"],
 ];
 
-pub static DRIVERS: [Driver; 7] = [
+pub static DRIVERS: [Driver; 8] = [
     Driver {
         test: "rust",
         language: "rust",
@@ -145,6 +145,30 @@ for row in np.hstack(values)[:-1]:
         plain: &[],
         hostile: &[&["-W", "error"]],
         build: |folder, flags| python(folder, python_with_numpy()?, flags),
+    },
+    Driver {
+        test: "javascript",
+        language: "javascript",
+        file: "driver.js",
+        source: r#"
+const tried = require("./tried.js");
+const view = new DataView(new ArrayBuffer(8));
+for (const line of require("fs").readFileSync(0, "latin1").trim().split("\n")) {
+  view.setBigUint64(0, BigInt("0x" + line));
+  const u = view.getFloat64(0);
+  const values = [tried.epsilon(u), tried.loss(u), tried.slope(u)].map((value) => {
+    view.setFloat64(0, value);
+    return view.getBigUint64(0).toString(16).padStart(16, "0");
+  });
+  console.log(values.join(" "));
+}
+"#,
+        plain: &[],
+        hostile: &[&["--use-strict"]],
+        build: |folder, flags| {
+            run(&mut command("node", folder, &["tried.js"]), None)?;
+            Some(command("node", folder, &[flags, &["driver.js"]].concat()))
+        },
     },
     Driver {
         test: "matlab",

@@ -20,6 +20,7 @@ pub mod export;
 pub mod fit;
 pub mod material;
 pub mod pade;
+pub mod page;
 pub mod report;
 pub mod table;
 pub mod trajectory;
@@ -46,10 +47,12 @@ pub enum Command {
     Trajectory(trajectory::TrajectoryArgs),
     /// Print coefficients of restitution by certified direct integration
     Epsilon(Box<epsilon::EpsilonArgs>),
-    /// Write an evaluator of epsilon(u) in Rust, C, Fortran, Python, Julia or MATLAB
+    /// Write an evaluator of epsilon(u) in Rust, C, Fortran, Python, Julia, JavaScript or MATLAB
     Export(Box<export::ExportArgs>),
     /// Judge the statements of the papers, one by one
     Audit(audit::AuditArgs),
+    /// Write one HTML file to play with epsilon(g), measurements and lines for codes
+    Page(page::PageArgs),
     /// Measure speed against error on this machine and write it as a page with figures and data
     Report(report::ReportArgs),
     /// Write the completions of a shell, or the manual page
@@ -85,6 +88,7 @@ impl Command {
             Self::Epsilon(args) => args.run(),
             Self::Export(args) => args.run(),
             Self::Audit(args) => args.run(),
+            Self::Page(args) => args.run(),
             Self::Report(args) => args.run(),
             Self::Completions(args) => args.run(),
             Self::Fit(args) => args.run(),

@@ -8,6 +8,7 @@
 
 mod c;
 mod fortran;
+mod javascript;
 mod julia;
 mod matlab;
 mod python;
@@ -48,12 +49,13 @@ struct Rows {
 }
 
 /// Every language, in the order of the documents.
-pub static LANGUAGES: [&Language; 6] = [
+pub static LANGUAGES: [&Language; 7] = [
     &rust::LANGUAGE,
     &c::LANGUAGE,
     &fortran::LANGUAGE,
     &python::LANGUAGE,
     &julia::LANGUAGE,
+    &javascript::LANGUAGE,
     &matlab::LANGUAGE,
 ];
 
@@ -77,7 +79,7 @@ impl Language {
     /// let error = Language::of("basic").unwrap_err().to_string();
     /// assert_eq!(
     ///     error,
-    ///     "there is no language \"basic\": choose one of rust, c, fortran, python, julia, matlab"
+    ///     "there is no language \"basic\": choose one of rust, c, fortran, python, julia, javascript, matlab"
     /// );
     /// # Ok::<(), restitution_export::ExportError>(())
     /// ```

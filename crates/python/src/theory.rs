@@ -1,0 +1,124 @@
+//! What is exact and what is certified, as Python's own numbers and as text.
+
+use crate::errors::value;
+use crate::work::{self, Watch};
+use num_rational::BigRational;
+use num_traits::{One, ToPrimitive};
+use pyo3::prelude::*;
+use restitution_direct::{Collision, End, saturation_radius, saturation_speed};
+use restitution_law::ForceLaw;
+use restitution_real::Ball;
+use restitution_series::{DelayedRecovery, Quantity, SeriesError, Trajectories, coefficients_watched};
+
+/// A value with its proved digits, and how far the true value is from them at most.
+type Certified = (String, String);
+
+fn law(text: &str) -> PyResult<ForceLaw> {
+    text.parse().map_err(value)
+}
+
+fn certified(ball: &Ball, digits: usize) -> PyResult<Certified> {
+    let shown = ball.to_digits_and_radius(digits);
+    shown.ok_or_else(|| value(format!("{digits} digits could not be proved: ask for fewer")))
+}
+
+/// `(value, radius)` of the coefficients of order 0 to `order`.
+#[pyfunction]
+pub fn coefficients(
+    py: Python<'_>,
+    quantity: &str,
+    order: usize,
+    digits: usize,
+    law: &str,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Vec<Certified>> {
+    let family = match quantity {
+        "C" => Quantity::Restitution,
+        "a" => Quantity::ScaledRestitution,
+        "y" => Quantity::Compression,
+        "h" => Quantity::DelayedRecovery,
+        _ => {
+            return Err(value(format!(
+                "'{quantity}' is no family of coefficients: give 'C', 'a', 'y', 'h' or 'psi'"
+            )));
+        }
+    };
+    let law = self::law(law)?;
+    let values = work::run(py, order, progress, move |watch: &Watch| {
+        coefficients_watched(family, &law, order, digits, &mut |k| watch.set(k))
+    })?;
+    values.map_err(value)?.iter().map(|ball| certified(ball, digits)).collect()
+}
+
+/// The exact coefficients of Psi, orders 0 to `order`.
+#[pyfunction]
+pub fn psi(py: Python<'_>, order: usize, law: &str) -> PyResult<Vec<BigRational>> {
+    let end = DelayedRecovery::new(&self::law(law)?).map_err(value)?;
+    work::run(py, 1, None, move |_| end.psi(order))
+}
+
+/// `(n, exponent, coefficient)` of the trajectories up to a power of time.
+#[pyfunction]
+pub fn trajectory(
+    py: Python<'_>,
+    damping_order: usize,
+    time_order: BigRational,
+    law: &str,
+) -> PyResult<Vec<(usize, BigRational, BigRational)>> {
+    let law = self::law(law)?;
+    work::run(py, 1, None, move |_| rows(&law, damping_order, &time_order))?.map_err(value)
+}
+
+/// The coefficients of `x_0 .. x_N` that belong to powers of time up to `last`.
+fn rows(
+    law: &ForceLaw,
+    damping_order: usize,
+    last: &BigRational,
+) -> Result<Vec<(usize, BigRational, BigRational)>, SeriesError> {
+    let steps = |step: BigRational| ((last - BigRational::one()) / step).floor().to_integer().to_usize();
+    let terms = steps(law.elastic_step()).map_or(1, |last| last + 1);
+    let orders = steps(law.damping_step()).unwrap_or(0).min(damping_order);
+    let trajectories = Trajectories::exact(law, orders, terms);
+    let mut rows = Vec::new();
+    for n in 0..=orders {
+        for (j, coefficient) in trajectories.coefficients(n)?.iter().enumerate() {
+            let exponent = trajectories.exponent(n, j);
+            let exponent = BigRational::new((*exponent.numer()).into(), (*exponent.denom()).into());
+            if exponent <= *last {
+                rows.push((n, exponent, coefficient.clone()));
+            }
+        }
+    }
+    Ok(rows)
+}
+
+/// `epsilon(u)` by certified integration, for the exact damping `u`.
+#[pyfunction]
+pub fn epsilon_digits(
+    py: Python<'_>,
+    u: BigRational,
+    digits: usize,
+    law: &str,
+    end: &str,
+    loss: bool,
+) -> PyResult<Certified> {
+    let end = match crate::errors::end(end)? {
+        restitution::End::ZeroCompression => End::ZeroCompression,
+        restitution::End::ZeroForce => End::ZeroForce,
+    };
+    let collision = Collision::new(&self::law(law)?, end).map_err(value)?;
+    let ball = work::run(py, 1, None, move |_| match loss {
+        true => collision.one_minus_epsilon(&u, digits),
+        false => collision.epsilon(&u, digits),
+    })?;
+    certified(&ball.map_err(value)?, digits)
+}
+
+/// `R` and `R^(1/p)`: `lim u epsilon^p`, and the exit speed at unlimited velocity.
+#[pyfunction]
+pub fn saturation(py: Python<'_>, digits: usize, law: &str) -> PyResult<(Certified, Certified)> {
+    let law = self::law(law)?;
+    let (radius, speed) =
+        work::run(py, 1, None, move |_| (saturation_radius(&law, digits), saturation_speed(&law, digits)))?;
+    Ok((certified(&radius.map_err(value)?, digits)?, certified(&speed.map_err(value)?, digits)?))
+}
