@@ -7,7 +7,9 @@
 //! promise is attacked.
 
 pub mod campaign;
+pub mod certified;
 pub mod commands;
+pub mod data_files;
 pub mod f64_functions;
 pub mod parts;
 pub mod random;

@@ -1,7 +1,9 @@
 //! The parts of an attack and how large they are.
 
 use crate::Tally;
+use crate::certified::Certified;
 use crate::commands::Commands;
+use crate::data_files::DataFiles;
 use crate::f64_functions::F64Functions;
 use crate::random::Source;
 use std::path::PathBuf;
@@ -39,5 +41,10 @@ pub enum Size {
 
 /// Returns all parts; `command` is the executable that is attacked.
 pub fn all(command: PathBuf) -> Vec<Box<dyn Part>> {
-    vec![Box::new(F64Functions), Box::new(Commands::new(command))]
+    vec![
+        Box::new(Certified),
+        Box::new(F64Functions),
+        Box::new(Commands::new(command.clone())),
+        Box::new(DataFiles::new(command)),
+    ]
 }

@@ -76,6 +76,11 @@ impl Sandbox {
         self.root.path().join("work")
     }
 
+    /// A path beside the folder, for files that the command may read.
+    pub fn outside(&self, name: &str) -> PathBuf {
+        self.root.path().join(name)
+    }
+
     /// The names in the folder, but for those that were there from the beginning, sorted.
     ///
     /// # Errors
