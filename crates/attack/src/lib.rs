@@ -10,6 +10,7 @@ pub mod campaign;
 pub mod certified;
 pub mod commands;
 pub mod data_files;
+pub mod ends;
 pub mod f64_functions;
 pub mod parts;
 pub mod random;

@@ -4,6 +4,7 @@ use crate::Tally;
 use crate::certified::Certified;
 use crate::commands::Commands;
 use crate::data_files::DataFiles;
+use crate::ends::Ends;
 use crate::f64_functions::F64Functions;
 use crate::random::Source;
 use std::path::PathBuf;
@@ -45,6 +46,7 @@ pub fn all(command: PathBuf) -> Vec<Box<dyn Part>> {
         Box::new(Certified),
         Box::new(F64Functions),
         Box::new(Commands::new(command.clone())),
-        Box::new(DataFiles::new(command)),
+        Box::new(DataFiles::new(command.clone())),
+        Box::new(Ends::new(command)),
     ]
 }

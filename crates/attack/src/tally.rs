@@ -23,7 +23,7 @@ pub struct Tally {
 }
 
 /// Examples of one kind that are kept.
-const EXAMPLES_KEPT: usize = 20;
+const EXAMPLES_KEPT: usize = 4;
 
 /// A promise that was broken.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -153,14 +153,14 @@ impl Target {
 }
 
 fn replace(path: &Path, content: &[u8]) -> Result<(), CliError> {
-    let (mut file, _pending) = temporary(path)?;
+    let (_pending, mut file) = temporary(path)?; // dropped last, after the file
     let whole = file.write_all(content).and_then(|()| file.as_file().sync_all());
     whole.map_err(|error| failure(path, &reason(&error)))?;
     file.persist(path).map(drop).map_err(|error| failure(path, &reason(&error.error)))
 }
 
 /// Makes a temporary file beside `path`, with the permissions that `path` has or a new file gets.
-fn temporary(path: &Path) -> Result<(NamedTempFile, Pending), CliError> {
+fn temporary(path: &Path) -> Result<(Pending, NamedTempFile), CliError> {
     let failed = |error: io::Error| failure(path, &reason(&error));
     let existing = match OpenOptions::new().write(true).open(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => None,
@@ -170,16 +170,16 @@ fn temporary(path: &Path) -> Result<(NamedTempFile, Pending), CliError> {
     if !folder.is_dir() {
         return Err(failure(path, &format!("there is no folder '{}': make it first", folder.display())));
     }
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".restitution-");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666)); // less the umask
-    let file = builder.tempfile_in(folder).map_err(failed)?;
-    let pending = Pending::file(file.path());
+    let pending = Pending::nothing();
+    let make = |path: &Path| {
+        pending.file(path);
+        OpenOptions::new().write(true).create_new(true).open(path)
+    };
+    let file = tempfile::Builder::new().prefix(".restitution-").make_in(folder, make).map_err(failed)?;
     if let Some(existing) = existing {
         file.as_file().set_permissions(existing.permissions()).map_err(failed)?;
     }
-    Ok((file, pending))
+    Ok((pending, file))
 }
 
 fn failure(path: &Path, reason: &str) -> CliError {

@@ -59,7 +59,8 @@ impl Folder {
         let failed = |error: std::io::Error| failure(&self.path, &error.kind().to_string());
         let fresh =
             tempfile::Builder::new().prefix(".restitution-").tempdir_in(&self.parent).map_err(failed)?;
-        let _pending = Pending::file(fresh.path());
+        let pending = Pending::nothing();
+        pending.file(fresh.path());
         for (name, content) in files {
             fs::write(fresh.path().join(name), content).map_err(failed)?;
         }
