@@ -11,6 +11,7 @@ pub mod certified;
 pub mod commands;
 pub mod data_files;
 pub mod ends;
+pub mod exports;
 pub mod f64_functions;
 pub mod parts;
 pub mod random;

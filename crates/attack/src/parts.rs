@@ -5,6 +5,7 @@ use crate::certified::Certified;
 use crate::commands::Commands;
 use crate::data_files::DataFiles;
 use crate::ends::Ends;
+use crate::exports::Exports;
 use crate::f64_functions::F64Functions;
 use crate::random::Source;
 use std::path::PathBuf;
@@ -47,6 +48,6 @@ pub fn all(command: PathBuf) -> Vec<Box<dyn Part>> {
         Box::new(F64Functions),
         Box::new(Commands::new(command.clone())),
         Box::new(DataFiles::new(command.clone())),
-        Box::new(Ends::new(command)),
+        Box::new(Exports::new(command.clone())), Box::new(Ends::new(command)),
     ]
 }

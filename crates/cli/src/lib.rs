@@ -14,6 +14,8 @@ pub mod memory;
 pub mod output;
 pub mod progress;
 
+pub mod unexpected;
+
 pub use commands::run;
 pub use error::CliError;
 pub use output::OutputArgs;

@@ -55,13 +55,14 @@ impl Progress {
         bar.set_message(label.to_owned());
         let (done, waiting) = mpsc::channel();
         let shown = bar.clone();
-        let watch = std::thread::spawn(move || {
+        // Where no thread can be started there is no sign of life, and the work goes on.
+        let watch = std::thread::Builder::new().spawn(move || {
             if waiting.recv_timeout(PATIENCE) == Err(mpsc::RecvTimeoutError::Timeout) {
                 shown.set_draw_target(ProgressDrawTarget::stderr()); // hidden unless it is a terminal
                 shown.enable_steady_tick(Duration::from_millis(200));
             }
         });
-        Self { bar, done: Some(done), watch: Some(watch) }
+        Self { bar, done: Some(done), watch: watch.ok() }
     }
 }
 
