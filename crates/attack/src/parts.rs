@@ -48,6 +48,7 @@ pub fn all(command: PathBuf) -> Vec<Box<dyn Part>> {
         Box::new(F64Functions),
         Box::new(Commands::new(command.clone())),
         Box::new(DataFiles::new(command.clone())),
-        Box::new(Exports::new(command.clone())), Box::new(Ends::new(command)),
+        Box::new(Exports::new(command.clone())),
+        Box::new(Ends::new(command)),
     ]
 }

@@ -157,7 +157,7 @@ impl Energy {
             // y^2 - c y - rest = 0, in the form without cancellation.
             let root = (c * c / 4.0 + rest).sqrt();
             let next = if c >= 0.0 { c / 2.0 + root } else { rest / (root - c / 2.0) };
-            if !(next > 0.0) {
+            if next.is_nan() || next <= 0.0 {
                 return None;
             }
             change += c * (speed + next);

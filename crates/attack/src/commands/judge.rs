@@ -33,7 +33,8 @@ pub fn judge(line: &[OsString], outcome: &Outcome, sandbox: &Sandbox, tally: &mu
         let stdout = String::from_utf8_lossy(&outcome.stdout[..outcome.stdout.len().min(100)]);
         format!("{} -> {code}, stderr {stderr:?}, stdout {stdout:?}", quoted(line))
     };
-    let panicked = ["panicked", "RUST_BACKTRACE", "internal error"].iter().any(|sign| outcome.stderr.contains(sign));
+    let panicked =
+        ["panicked", "RUST_BACKTRACE", "internal error"].iter().any(|sign| outcome.stderr.contains(sign));
     tally.expect(!panicked, "no panic", show);
     let files = sandbox.files().unwrap_or_default();
     if outcome.interrupted && code == INTERRUPTED {

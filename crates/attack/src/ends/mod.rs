@@ -65,7 +65,7 @@ impl Part for Ends {
 
     fn cases(&self, size: Size) -> u64 {
         match size {
-            Size::Slice => 24,
+            Size::Slice => 14,
             Size::Minutes => 300,
             Size::Full => 2_000,
         }

@@ -87,7 +87,9 @@ pub const LANGUAGES: [Language; 5] = [
             &["gcc -O3 -march=native driver.c -o driver -lm"],
             &["gcc -O3 -ffast-math driver.c -o driver -lm"],
             &["gcc -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all driver.c -o driver -lm"],
-            &["gcc -O2 -ffast-math -fsanitize=address,undefined -fno-sanitize-recover=all driver.c -o driver -lm"],
+            &[
+                "gcc -O2 -ffast-math -fsanitize=address,undefined -fno-sanitize-recover=all driver.c -o driver -lm",
+            ],
             &["clang -O3 -ffast-math driver.c -o driver -lm"],
         ],
         run: "./driver",
@@ -111,7 +113,9 @@ pub const LANGUAGES: [Language; 5] = [
         builds: &[
             &["gfortran -std=f2008 -O0 -fcheck=all -Wall restitution.f90 driver.f90 -o driver"],
             &["gfortran -O3 -ffast-math restitution.f90 driver.f90 -o driver"],
-            &["gfortran -O1 -g -fcheck=all -fsanitize=address,undefined restitution.f90 driver.f90 -o driver"],
+            &[
+                "gfortran -O1 -g -fcheck=all -fsanitize=address,undefined restitution.f90 driver.f90 -o driver",
+            ],
         ],
         run: "./driver",
     },

@@ -44,7 +44,8 @@ struct Asked {
 
 impl Asked {
     fn new(random: &mut Source) -> Self {
-        let low = if random.random_bool(0.7) { 0.0 } else { (by_ratio(random, 1e-3, 3.0) * 1e3).round() / 1e3 };
+        let low =
+            if random.random_bool(0.7) { 0.0 } else { (by_ratio(random, 1e-3, 3.0) * 1e3).round() / 1e3 };
         let high = low + (by_ratio(random, 0.05, 60.0) * 1e2).round() / 1e2 + 0.01;
         Self {
             tolerance: 10f64.powi(-random.random_range(1..=14)),
@@ -75,7 +76,18 @@ impl Asked {
         };
         let mut arguments: Vec<f64> = (0..ARGUMENTS / 2).map(|_| within(random)).collect();
         arguments.sort_by(f64::total_cmp);
-        let corners = [f64::NAN, -f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -0.0, -1.0, 5e-324, -5e-324, f64::MAX, 1e19];
+        let corners = [
+            f64::NAN,
+            -f64::NAN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            -0.0,
+            -1.0,
+            5e-324,
+            -5e-324,
+            f64::MAX,
+            1e19,
+        ];
         arguments.extend(corners);
         arguments.extend([self.low.next_down(), self.high.next_up()]);
         arguments.extend((0..ARGUMENTS / 2).map(|_| bits(random)));
@@ -104,7 +116,10 @@ impl Part for Exports {
         let asked = Asked::new(random);
         let language = choose(random, &LANGUAGES);
         if let Err(error) = self.attack_one(language, asked, random, tally) {
-            tally.fault("an exported source can be built", format!("{}: {error}", quoted(&asked.line(language))));
+            tally.fault(
+                "an exported source can be built",
+                format!("{}: {error}", quoted(&asked.line(language))),
+            );
         }
     }
 }
@@ -135,20 +150,28 @@ impl Exports {
             let mut built = true;
             for step in *build {
                 let Some(output) = run(step, &sandbox.folder(), None)? else {
-                    tally.count(&format!("builds skipped: no {}", step.split(' ').next().unwrap_or_default()), 1);
+                    tally.count(
+                        &format!("builds skipped: no {}", step.split(' ').next().unwrap_or_default()),
+                        1,
+                    );
                     built = false;
                     break;
                 };
                 if !output.status.success() {
-                    return Err(std::io::Error::other(format!("{step}: {}", String::from_utf8_lossy(&output.stderr))));
+                    return Err(std::io::Error::other(format!(
+                        "{step}: {}",
+                        String::from_utf8_lossy(&output.stderr)
+                    )));
                 }
             }
             if built && let Some(output) = run(language.run, &sandbox.folder(), Some("arguments"))? {
                 tally.count(&format!("programs run, {}", language.name), 1);
                 let how = || format!("{}, built by {build:?}", quoted(&asked.line(language)));
                 if !output.status.success() {
-                    let stderr = String::from_utf8_lossy(&output.stderr).chars().take(300).collect::<String>();
-                    tally.fault("no argument and no flag makes a source fail", format!("{}: {stderr}", how()));
+                    let stderr =
+                        String::from_utf8_lossy(&output.stderr).chars().take(300).collect::<String>();
+                    tally
+                        .fault("no argument and no flag makes a source fail", format!("{}: {stderr}", how()));
                     continue;
                 }
                 compare(&asked, &arguments, &String::from_utf8_lossy(&output.stdout), &how, tally);
@@ -173,8 +196,11 @@ fn run(line: &str, folder: &Path, input: Option<&str>) -> std::io::Result<Option
 }
 
 fn compare(asked: &Asked, arguments: &[f64], output: &str, how: &dyn Fn() -> String, tally: &mut Tally) {
-    let values: Vec<f64> =
-        output.lines().filter_map(|line| u64::from_str_radix(line.trim(), 16).ok()).map(f64::from_bits).collect();
+    let values: Vec<f64> = output
+        .lines()
+        .filter_map(|line| u64::from_str_radix(line.trim(), 16).ok())
+        .map(f64::from_bits)
+        .collect();
     if values.len() != arguments.len() {
         return tally.fault("a value for every argument", format!("{}: {} values", how(), values.len()));
     }
@@ -195,13 +221,24 @@ fn compare(asked: &Asked, arguments: &[f64], output: &str, how: &dyn Fn() -> Str
             let exact = epsilon(u, asked.end);
             let off = (value / exact - 1.0).abs();
             let sound = !exact.is_normal() || off <= asked.tolerance + JUDGE;
-            tally.expect(sound && (0.0..=1.0).contains(value), "a source keeps its tolerance beyond its range", say);
+            tally.expect(
+                sound && (0.0..=1.0).contains(value),
+                "a source keeps its tolerance beyond its range",
+                say,
+            );
         }
     }
     let within = arguments.iter().zip(&values).take(ARGUMENTS / 2).collect::<Vec<_>>();
     for pair in within.windows(2) {
         tally.expect(pair[1].1 <= pair[0].1, "a source falls", || {
-            format!("{}: from {:e} to {:e} it rises from {:e} to {:e}", how(), pair[0].0, pair[1].0, pair[0].1, pair[1].1)
+            format!(
+                "{}: from {:e} to {:e} it rises from {:e} to {:e}",
+                how(),
+                pair[0].0,
+                pair[1].0,
+                pair[0].1,
+                pair[1].1
+            )
         });
     }
 }

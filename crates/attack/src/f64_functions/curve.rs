@@ -57,8 +57,8 @@ fn batch(arguments: &[f64], values: &[f64], end: End, random: &mut Source, tally
 pub(super) fn order(sorted: &[f64], values: &[f64], name: &str, end: End, tally: &mut Tally) {
     for (u, value) in sorted.windows(2).zip(values.windows(2)) {
         if value[1] > value[0] {
-            let rise = steps(value[0], value[1]);
-            tally.measure(&format!("rise of {name} with its argument, steps"), rise as f64);
+            let rise = steps(value[0], value[1]) as f64;
+            tally.measure(&format!("rise of {name} with its argument, steps"), rise);
             tally.count(&format!("pairs where {name} rises"), 1);
             tally.expect(rise <= RISE_ULP, "monotone", || {
                 format!("{name}, {end:?}, from {:e} to {:e}: {:e} to {:e}", u[0], u[1], value[0], value[1])

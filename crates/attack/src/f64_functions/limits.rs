@@ -1,16 +1,17 @@
-//! What is promised of the f64 functions, as `docs/evaluator.md` and the documentation of each state it.
+//! What is promised of the f64 functions, read from the one table of bounds.
+
+use restitution::bounds;
 
 /// Units in the last place by which `epsilon` may rise between two arguments in order: rounding, where it is flat.
-pub const RISE_ULP: u64 = 1;
-/// Largest error of `epsilon`, of `1 - epsilon`, and of `epsilon` from a velocity, in units in the last place.
-pub const EPSILON_ULP: f64 = 2.0;
-/// See [`EPSILON_ULP`].
-pub const LOSS_ULP: f64 = 4.0;
-/// See [`EPSILON_ULP`].
-pub const VELOCITY_ULP: f64 = 3.0;
-/// Relative distance of the coefficient at `u_of_epsilon` from the one asked for; as
-/// `docs/evaluator.md` and `inverse.rs` state it.
-pub const INVERSE: f64 = 1e-15;
+pub const RISE_ULP: f64 = bounds::STEP_UP.size;
+/// Largest error of `epsilon`, in units in the last place.
+pub const EPSILON_ULP: f64 = bounds::EPSILON.size;
+/// Largest error of `1 - epsilon`, in units in the last place.
+pub const LOSS_ULP: f64 = bounds::ONE_MINUS_EPSILON.size;
+/// Largest error of `epsilon` from a velocity, in units in the last place.
+pub const VELOCITY_ULP: f64 = bounds::EPSILON_OF_VELOCITY.size;
+/// Relative distance of the coefficient at `u_of_epsilon` from the one asked for.
+pub const INVERSE: f64 = bounds::INVERSE.size;
 /// `epsilon + (1 - epsilon)` from both functions against 1: their bounds, in units of 2^-53.
 pub const SUM: f64 = 6.0 * f64::EPSILON / 2.0;
 
