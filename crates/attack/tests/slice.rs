@@ -21,7 +21,6 @@ fn slice_of(name: &str) {
 }
 
 #[test]
-#[ignore = "tiers exceed 1 and rise"]
 fn f64_functions() {
     slice_of("f64");
 }
@@ -42,7 +41,6 @@ fn violent_ends() {
 }
 
 #[test]
-#[ignore = "sources exceed 1 and rise"]
 fn exports() {
     slice_of("exports");
 }
