@@ -79,20 +79,27 @@ impl Written {
     }
 }
 
+/// Whether there is a header; one that has a unit to tell always.
+fn has_header(header: u32, unit: &str) -> bool {
+    header < 7 || !unit.is_empty()
+}
+
 impl Style {
     fn new(random: &mut Source) -> Self {
+        let (header, unit) = (random.random_range(0..8), choose(random, &UNITS).0);
+        let named = has_header(header, unit); // without, the order is velocity, coefficient
         let separator = *choose(random, &[",", ",", ",", ";", "\t", " ", "  ", " , ", ";\t"]);
         Self {
             separator,
             decimal_comma: !separator.contains(',') && random.random_bool(0.3),
             number: random.random_range(0..4),
-            header: random.random_range(0..8),
-            unit: choose(random, &UNITS).0,
+            header,
+            unit,
             line_end: *choose(random, &["\n", "\n", "\n", "\r\n", "\r\n", "\r"]),
             quoted: random.random_bool(0.1),
             padded: random.random_bool(0.1),
             extra: random.random_bool(0.15),
-            swapped: random.random_bool(0.2),
+            swapped: named && random.random_bool(0.2),
             comment: if random.random_bool(0.3) { Some(*choose(random, &["# ", "% ", "#"])) } else { None },
         }
     }
@@ -122,7 +129,7 @@ impl Style {
             (_, unit) => format!("{velocity} / {unit}"),
         };
         // Without a header there is no unit, and so no other than m/s.
-        if self.header < 7 || !self.unit.is_empty() {
+        if has_header(self.header, self.unit) {
             text.push_str(
                 &self.row(&[&named, *choose(random, &COEFFICIENT)], 0).replace("extra", "temperature"),
             );

@@ -106,7 +106,7 @@ impl Part for Exports {
 
     fn cases(&self, size: Size) -> u64 {
         match size {
-            Size::Slice => 6,
+            Size::Slice => 2,
             Size::Minutes => 60,
             Size::Full => 600,
         }

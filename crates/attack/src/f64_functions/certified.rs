@@ -1,10 +1,10 @@
 //! Errors in units of the last place, against certified values.
 
-use super::limits::{EPSILON_ULP, LOSS_ULP, VELOCITY_ULP};
+use super::limits::{EPSILON_ULP, INVERSE, LOSS_ULP, VELOCITY_ULP};
 use crate::Tally;
 use crate::random::{Source, by_ratio, near};
 use rand::{Rng, RngExt};
-use restitution::{End, Restitution, epsilon, one_minus_epsilon};
+use restitution::{End, Restitution, epsilon, one_minus_epsilon, u_of_epsilon};
 use restitution_direct::Collision;
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
@@ -59,6 +59,20 @@ pub(super) fn attack(random: &mut Source, end: End, tally: &mut Tally) {
     judge("epsilon", epsilon(u, end), &exact, EPSILON_ULP);
     judge("1 - epsilon", one_minus_epsilon(u, end), &(Ball::from_integer(1, prec) - &exact), LOSS_ULP);
     from_a_velocity(random, end, tally);
+    inverse(random, end, tally);
+}
+
+/// The exact coefficient at the inverse against the one asked for.
+fn inverse(random: &mut Source, end: End, tally: &mut Tally) {
+    let wanted = by_ratio(random, 1e-40, 1.0);
+    let u = u_of_epsilon(wanted, end);
+    if let Ok(exact) = collision(end).enclose(&Ball::from_f64(u, PREC), PREC) {
+        let off = Float::with_val(PREC, exact.mid() - wanted).to_f64().abs() / wanted;
+        tally.measure(&format!("relative distance of the exact coefficient at the inverse, {end:?}"), off);
+        tally.expect(off <= INVERSE, "the exact coefficient at the inverse is the one asked for", || {
+            format!("u_of_epsilon({wanted:e}, {end:?}) = {u:e}: off by {off:e}")
+        });
+    }
 }
 
 /// `u_1` a power of two: then `u = (u_1^5 g)^(1/5)` is known to any precision.
