@@ -31,12 +31,12 @@ const LAWS: [(&str, &str, i64); 14] = [
     ("1001/1000,1/1000", "1/10000", 57),
     ("1/1000,0", "1/10000", 50),
     ("1/1000,999/1000", "1/10000", 61),
-    ("3/2,-9/10", "1/100000", 50),
+    ("3/2,-9/10", "1/100000", 57),
     ("3/2,-99/100", "1/1000000", 54),
-    ("1,0", "1/10000", 61),
-    ("3,0", "1/10000", 70),
-    ("5,4", "1/10000", 96),
-    ("12,11", "1/10000", 161),
+    ("1,0", "1/10000", 50),
+    ("3,0", "1/10000", 65),
+    ("5,4", "1/10000", 80),
+    ("12,11", "1/10000", 131),
     ("1/2,3", "1/10000", 76),
 ];
 
@@ -76,7 +76,7 @@ fn coefficients_that_vanish_are_exactly_zero() {
     // The last law has p = -3/7 and no such coefficient.
     for (text, order) in [("3,0", 4), ("2,0", 6), ("7,1", 4), ("5/2,0", 0)] {
         let law = law(text);
-        let c = restitution(&law, 8, 25);
+        let c = restitution(&law, 8, 45);
         for (k, c) in c.iter().enumerate() {
             assert_eq!(c.is_zero(), k == order && k > 0, "{text}, C_{k} = {c:?}");
         }
@@ -125,9 +125,8 @@ fn bits_are_lost_in_proportion_to_the_order() {
         let c = &restitution(&spheres, order, 20)[order];
         let lost = i64::from(c.prec()) - c.relative_bits().expect("a ball");
         println!("order {order}: {lost} of {} bits lost", c.prec());
-        assert!(lost as f64 <= 10.0 + 5.4 * order as f64, "order {order}: {lost} bits lost");
-        // The first working precision sufficed: 5 bits for each order and 49 beside the digits.
-        assert_eq!(c.prec() as usize, 66 + 49 + 5 * order, "order {order}");
+        // 42 bits once and less than a bit for each order: C_k itself falls by half a bit each.
+        assert!(lost as f64 <= 46.0 + 0.9 * order as f64, "order {order}: {lost} bits lost");
     }
 }
 

@@ -1,6 +1,7 @@
-use crate::expansion::{Expansion, damping_order_for, expand};
+use crate::certified::{Expansion, Goal, Unproved, expand};
+use crate::expansion::by_balls;
 use crate::turning_point::power as power_of;
-use crate::{DelayedRecovery, SeriesError, TailBound};
+use crate::{DelayedRecovery, SeriesError};
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, Zero};
 use restitution_law::ForceLaw;
@@ -20,8 +21,6 @@ pub enum Quantity {
     DelayedRecovery,
 }
 
-/// Bits that ball arithmetic loses for each order in the damping; see `docs/stability.md`.
-const BITS_PER_ORDER: usize = 5;
 /// Working precision above which no further attempt is made.
 const MAX_BITS: usize = 4_000_000;
 
@@ -67,40 +66,48 @@ pub fn coefficients_watched(
     watch: &mut dyn FnMut(usize),
 ) -> Result<Vec<Ball>, SeriesError> {
     let wanted = bits_of(digits) + 8;
-    let mut spare = BITS_PER_ORDER * order + 40;
     let delay = (quantity == Quantity::DelayedRecovery).then(|| Delay::new(law, order)).transpose()?;
-    let order = delay.as_ref().map_or(order, Delay::whole_order);
-    let tail = TailBound::find(law, damping_order_for(quantity, order))?;
-    let limit = (16 * wanted + 64 * order + 4096).min(MAX_BITS);
-    loop {
-        let bits = u32::try_from(wanted + spare).ok().filter(|&bits| bits as usize <= limit);
-        let exhausted = RealError::PrecisionExhausted { digits, reached_bits: limit as u32 };
-        let bits = bits.ok_or(SeriesError::Real(exhausted))?;
-        // The tail is not magnified on its way to the sums, so it may take up half of what is to spare.
-        let tail_bits = bits - u32::try_from(spare / 2).unwrap_or(0);
-        let expansion = match expand(law, order, bits, (&tail, tail_bits), watch) {
-            // A leading coefficient that may be zero at this precision.
-            Err(SeriesError::ZeroConstantTerm { .. } | SeriesError::NoPower { .. }) => {
-                spare *= 2;
-                continue;
-            }
-            outcome => outcome?,
+    let whole = delay.as_ref().map_or(order, Delay::whole_order);
+    let limit = (16 * wanted + 64 * whole + 4096).min(MAX_BITS);
+    let exhausted =
+        || SeriesError::Real(RealError::PrecisionExhausted { digits, reached_bits: limit as u32 });
+    let select = |expansion: &Expansion| match &delay {
+        Some(delay) => delay.coefficients(&expansion.restitution[..=whole]),
+        None => Ok(expansion.select(quantity)[..=order].to_vec()),
+    };
+    let missing = |expansion: &Expansion| {
+        let missing = |value: &Ball| {
+            if value.to_digits(digits).is_some() { 0 } else { shortfall(value, wanted).max(1) }
         };
-        let values = match &delay {
-            Some(delay) => delay.coefficients(&expansion.restitution)?,
-            None => expansion.select(quantity),
-        };
-        let missing = values.iter().filter(|v| v.to_digits(digits).is_none());
-        let Some(missing) = missing.map(|v| shortfall(v, wanted)).max() else { return Ok(values) };
-        spare += missing + spare / 8 + 16;
-    }
+        select(expansion).map_or(wanted, |values| values.iter().map(missing).max().unwrap_or(0))
+    };
+    let goal = Goal {
+        law,
+        last: whole,
+        damping: damping_order_for(quantity, whole),
+        wanted,
+        limit,
+        missing: &missing,
+    };
+    let expansion = match expand(&goal, watch) {
+        Ok(expansion) => expansion,
+        Err(Unproved::Exhausted) => return Err(exhausted()),
+        Err(Unproved::Norms) => by_balls(&goal, watch)?.ok_or_else(exhausted)?,
+    };
+    select(&expansion)
+}
+
+/// The damping order to which trajectories are needed: `C_N` of even order follows from the lower ones,
+/// `y_N` does not.
+fn damping_order_for(quantity: Quantity, order: usize) -> usize {
+    if quantity != Quantity::Compression && order >= 2 && order.is_multiple_of(2) { order - 1 } else { order }
 }
 
 impl Expansion {
-    fn select(self, quantity: Quantity) -> Vec<Ball> {
+    fn select(&self, quantity: Quantity) -> Vec<Ball> {
         match quantity {
-            Quantity::Compression => self.compression,
-            Quantity::Restitution | Quantity::DelayedRecovery => self.restitution,
+            Quantity::Compression => self.compression.clone(),
+            Quantity::Restitution | Quantity::DelayedRecovery => self.restitution.clone(),
             Quantity::ScaledRestitution => scaled(&self.restitution),
         }
     }

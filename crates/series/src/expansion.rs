@@ -1,25 +1,46 @@
-//! From the trajectories to the coefficients, at one working precision.
+//! From the trajectories to the coefficients in balls, for laws whose norms are too large for one proof.
 
+use crate::certified::{Expansion, Goal};
 use crate::inverse_collision::restitution;
 use crate::turning_point::TurningPoint;
-use crate::{Quantity, SeriesError, TailBound, Trajectories, TurningPointSum, Units, turning_time};
+use crate::{SeriesError, TailBound, Trajectories, TurningPointSum, Units, turning_time};
 use num_traits::Zero;
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
 
-/// The expansions in `u` that the inverse collision needs and gives.
-pub(crate) struct Expansion {
-    /// `y_0 .. y_N`, the maximal compression (A23).
-    pub compression: Vec<Ball>,
-    /// `C_0 .. C_N`, the restitution (A30).
-    pub restitution: Vec<Ball>,
+/// Bits that ball arithmetic loses for each order in the damping.
+const BITS_PER_ORDER: usize = 5;
+
+/// As [`crate::certified::expand`], with balls as coefficients; `None` if the precision is exhausted.
+pub(crate) fn by_balls(goal: &Goal, watch: &mut dyn FnMut(usize)) -> Result<Option<Expansion>, SeriesError> {
+    let tail = TailBound::find(goal.law, goal.damping)?;
+    let mut spare = BITS_PER_ORDER * goal.last + 40;
+    loop {
+        let bits = u32::try_from(goal.wanted + spare).ok().filter(|&bits| bits as usize <= goal.limit);
+        let Some(bits) = bits else { return Ok(None) };
+        // The tail is not magnified on its way to the sums, so it may take up half of what is to spare.
+        let tail_bits = bits - u32::try_from(spare / 2).unwrap_or(0);
+        let expansion = match expand(goal.law, goal.last, bits, (&tail, tail_bits), watch) {
+            // A leading coefficient that may be zero at this precision.
+            Err(SeriesError::ZeroConstantTerm { .. } | SeriesError::NoPower { .. }) => {
+                spare *= 2;
+                continue;
+            }
+            outcome => outcome?,
+        };
+        let missing = (goal.missing)(&expansion);
+        if missing == 0 {
+            return Ok(Some(expansion));
+        }
+        spare += missing + spare / 8 + 16;
+    }
 }
 
 /// Derives both expansions to the given order with balls of `bits` bits.
 ///
 /// Units are chosen so that `T = 1`: all coefficients then live at one absolute precision and every
 /// series is summed at 1. The sums leave out less than `2^-tail_bits`, and their radii say so.
-pub(crate) fn expand(
+fn expand(
     law: &ForceLaw,
     order: usize,
     bits: u32,
@@ -35,13 +56,7 @@ pub(crate) fn expand(
     // What is not known of Y is y_N of even order N, which cancels from C_N: any value will do.
     compression.resize(order + 1, Ball::zero());
     let restitution = restitution(law, &compression)?;
-    Ok(Expansion { compression: compression.iter().map(|y| y * &time).collect(), restitution })
-}
-
-/// The damping order to which trajectories are needed: `C_N` of even order follows from the lower ones,
-/// `y_N` does not.
-pub(crate) fn damping_order_for(quantity: Quantity, order: usize) -> usize {
-    if quantity != Quantity::Compression && order >= 2 && order.is_multiple_of(2) { order - 1 } else { order }
+    Ok(Expansion { compression: compression.iter().map(|y| y * &time).collect(), restitution, step: 0.0 })
 }
 
 /// `x_n(T)` and `x_n'(T)` in units where `T = 1`; `x_0'(T)` is exactly zero.

@@ -5,6 +5,7 @@ use crate::{Field, FractionalSeries, SeriesError};
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use restitution_law::ForceLaw;
+use restitution_real::Ball;
 
 /// Returns `eps(u) = 1 + C_1 u + C_2 u^2 + ...` from the compression `Y(u)`, to the same order.
 ///
@@ -43,6 +44,13 @@ pub(crate) fn restitution<T: Field>(law: &ForceLaw, compression: &[T]) -> Result
         *vanishing = T::zero();
     }
     Ok(restitution)
+}
+
+/// Sets the coefficient that vanishes exactly, where there is one.
+pub(crate) fn vanish(law: &ForceLaw, restitution: &mut [Ball]) {
+    if let Some(vanishing) = vanishing_order(law).and_then(|k| restitution.get_mut(k)) {
+        *vanishing = Ball::zero();
+    }
 }
 
 /// The order `k = 2m > 0` with `C_k = 0` exactly, which there is for `p = -1/m`.

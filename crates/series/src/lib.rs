@@ -2,6 +2,7 @@
 
 mod approximate;
 mod bounds;
+mod certified;
 mod coefficients;
 mod damped;
 mod delayed_recovery;
@@ -12,6 +13,7 @@ mod field_ball;
 mod field_rational;
 mod fractional_series;
 mod inverse_collision;
+mod kernels;
 mod linearised;
 mod modular;
 mod print;

@@ -4,17 +4,15 @@
 //! bound on denominators and sizes says how many primes determine every coefficient.
 
 mod denominators;
-mod prime;
 mod reconstruct;
 mod residue;
-mod transform;
 
+use crate::kernels::Prime;
 use crate::trajectories::index;
 use crate::{BoundError, TailBound, Trajectories, Units, turning_time};
 use denominators::Denominators;
 use num_rational::{BigRational, Ratio};
 use num_traits::One;
-use prime::Prime;
 use rayon::prelude::*;
 use reconstruct::Basis;
 use residue::{Residue, modulo};

@@ -1,6 +1,6 @@
 //! Integers from their residues, by mixed radix digits.
 
-use super::prime::Prime;
+use crate::kernels::Prime;
 use rug::Integer;
 
 /// The primes of a reconstruction with the constants of Garner's algorithm.

@@ -1,12 +1,12 @@
-use super::prime::Prime;
-use super::transform::Roots;
+use crate::kernels::{Prime, Roots, size_for};
 use crate::{Field, ZeroTest};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::rc::Rc;
 
 /// Length up to which products are taken term by term.
 const SHORT: usize = 24;
@@ -93,20 +93,35 @@ pub(super) struct Transformed {
     values: Vec<u64>,
 }
 
-fn size_for(len: usize) -> usize {
-    (2 * len).next_power_of_two()
+thread_local! {
+    static LATEST: RefCell<Option<(u64, usize, Rc<Roots>)>> = const { RefCell::new(None) };
+}
+
+/// The roots for a prime and a size, kept for the next call of the thread.
+fn roots(prime: Prime, size: usize) -> Rc<Roots> {
+    LATEST.with(|latest| {
+        let mut latest = latest.borrow_mut();
+        match latest.as_ref() {
+            Some((p, known, roots)) if *p == prime.p && *known == size => Rc::clone(roots),
+            _ => {
+                let roots = Rc::new(Roots::new(prime, size));
+                *latest = Some((prime.p, size, Rc::clone(&roots)));
+                roots
+            }
+        }
+    })
 }
 
 fn transformed(prime: Prime, forms: &[u64], size: usize) -> Vec<u64> {
     let mut values = forms.to_vec();
     values.resize(size, 0);
-    Roots::get(prime, size).forward(&mut values);
+    roots(prime, size).forward(&mut values);
     values
 }
 
 /// The first `len` forms of a sum of products, by transforms.
 fn long_sum(prime: Prime, terms: &[(i64, &Transformed, &Transformed)], len: usize) -> Vec<u64> {
-    let size = size_for(len);
+    let size = size_for(2 * len);
     let mut sum = vec![0; size];
     for (weight, a, b) in terms {
         let weight = prime.form(*weight);
@@ -125,13 +140,10 @@ fn long_sum(prime: Prime, terms: &[(i64, &Transformed, &Transformed)], len: usiz
             &fresh_b
         };
         for ((s, &x), &y) in sum.iter_mut().zip(a).zip(b) {
-            // Transforms are below 2p < 2^63: one operand is brought below p.
-            let x = if x >= prime.p { x - prime.p } else { x };
-            let y = if y >= prime.p { y - prime.p } else { y };
             *s = prime.add(*s, prime.mul(prime.mul(x, y), weight));
         }
     }
-    Roots::get(prime, size).backward(&mut sum);
+    roots(prime, size).backward(&mut sum);
     sum.truncate(len);
     sum
 }
@@ -174,7 +186,7 @@ impl Field for Residue {
 
     fn factor(series: &[Self], len: usize) -> Self::Factor {
         let forms: Vec<u64> = series.iter().take(len).map(|x| x.0).collect();
-        let values = if len > SHORT { transformed(prime(), &forms, size_for(len)) } else { Vec::new() };
+        let values = if len > SHORT { transformed(prime(), &forms, size_for(2 * len)) } else { Vec::new() };
         Transformed { forms, values }
     }
 

@@ -3,14 +3,14 @@
 use rug::Integer;
 use rug::integer::IsPrime;
 
-/// Largest power of two whose roots of unity every prime has.
-pub(super) const MAX_LOG_SIZE: u32 = 26;
+/// Every prime has roots of unity of the orders that divide `3 * 2^24`.
+const ORDER: u64 = 3 << 24;
 
-/// An odd prime `p < 2^62` with `p = 1 mod 2^26`, and the constants of Montgomery's multiplication.
+/// An odd prime `p < 2^62` with `p = 1 mod 3 2^24`, and the constants of Montgomery's multiplication.
 ///
 /// (Montgomery 1985.) A residue `x` is held as `x 2^64 mod p`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Prime {
+pub(crate) struct Prime {
     pub p: u64,
     /// `-1/p mod 2^64`.
     negated_inverse: u64,
@@ -23,10 +23,15 @@ pub(super) struct Prime {
 impl Prime {
     /// The primes below `2^62` in falling order.
     pub fn falling() -> impl Iterator<Item = Self> {
-        let step = 1u64 << MAX_LOG_SIZE;
+        Self::falling_below(u64::MAX)
+    }
+
+    /// The primes below `2^62` and below a limit in falling order.
+    pub fn falling_below(limit: u64) -> impl Iterator<Item = Self> {
         // Primality of 64-bit numbers: GMP's test is Baillie-PSW, which has no exception below 2^64.
         let is_prime = |p: &u64| Integer::from(*p).is_probably_prime(25) != IsPrime::No;
-        (1..1u64 << 35).map(move |c| (1u64 << 62) + 1 - c * step).filter(is_prime).map(Self::new)
+        let largest = ((1u64 << 62) - 1).min(limit - 2) / ORDER;
+        (1..=largest).rev().map(|c| c * ORDER + 1).filter(is_prime).map(Self::new)
     }
 
     fn new(p: u64) -> Self {
@@ -85,16 +90,45 @@ impl Prime {
         self.pow(x, self.p - 2)
     }
 
-    /// A primitive root of unity of order `2^log_size`.
-    pub fn root_of_unity(&self, log_size: u32) -> u64 {
-        let minus_one = self.sub(0, self.one);
-        for candidate in 2.. {
-            let root = self.pow(self.form(candidate), (self.p - 1) >> log_size);
-            if log_size == 0 || self.pow(root, 1 << (log_size - 1)) == minus_one {
-                return root;
-            }
+    /// `x y / 2^64 mod p`, below `2p`, for `x y < 2^64 p`.
+    #[inline]
+    pub fn mul_lazy(&self, x: u64, y: u64) -> u64 {
+        self.reduce(u128::from(x) * u128::from(y))
+    }
+
+    /// `x / 2^64` modulo `p`: below `2p` if `x < 2^64 p`, below `2^63 + p` if `x < 2^127`.
+    #[inline]
+    pub fn reduce(&self, x: u128) -> u64 {
+        let m = (x as u64).wrapping_mul(self.negated_inverse.wrapping_neg());
+        let low = ((u128::from(m) * u128::from(self.p)) >> 64) as u64;
+        ((x >> 64) as u64) + self.p - low
+    }
+
+    /// As [`Prime::reduce`], for any `x < 2^127`, below `p`.
+    #[inline]
+    pub fn reduced(&self, x: u128) -> u64 {
+        let mut reduced = self.reduce(x);
+        while reduced >= self.p {
+            reduced -= self.p;
         }
-        unreachable!("half of all residues are no squares")
+        reduced
+    }
+
+    /// `2^128 mod p`.
+    pub fn square(&self) -> u64 {
+        self.square
+    }
+
+    /// A primitive root of unity of an order that divides `3 2^24`, as a form.
+    pub fn root_of_unity(&self, order: usize) -> u64 {
+        let has_order = |root: u64| {
+            let proper = |prime: usize| {
+                !order.is_multiple_of(prime) || self.pow(root, (order / prime) as u64) != self.one
+            };
+            proper(2) && proper(3)
+        };
+        let candidates = (2..).map(|candidate| self.pow(self.form(candidate), (self.p - 1) / order as u64));
+        candidates.into_iter().find(|&root| has_order(root)).unwrap_or(self.one)
     }
 }
 
@@ -111,8 +145,9 @@ mod tests {
         let expected = expected.rem_euc(Integer::from(prime.p));
         assert_eq!(prime.value(prime.mul(x, y)), expected);
         assert_eq!(prime.mul(x, prime.inverse(x)), prime.one);
-        let root = prime.root_of_unity(10);
-        assert_eq!(prime.pow(root, 1024), prime.one);
-        assert_ne!(prime.pow(root, 512), prime.one);
+        let root = prime.root_of_unity(3072);
+        assert_eq!(prime.pow(root, 3072), prime.one);
+        assert_ne!(prime.pow(root, 1536), prime.one);
+        assert_ne!(prime.pow(root, 1024), prime.one);
     }
 }

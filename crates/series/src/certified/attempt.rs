@@ -1,0 +1,319 @@
+//! From a law to its expansion coefficients, at one precision, with what is proved of them.
+
+use super::damped::Motion;
+use super::inverse::{Exponents, logarithm};
+use super::inverse_proof;
+use super::motion_proof;
+use super::turning::{Neighbourhood, TurningScale};
+use super::turning_proof;
+use super::units::{Scale, fixed, log_singular_ratio};
+use crate::inverse_collision::vanish;
+use crate::kernels::{Fixed, Workshop, size_for};
+use num_rational::BigRational;
+use num_traits::{One, ToPrimitive};
+use restitution_law::ForceLaw;
+use restitution_real::{Ball, Magnitude};
+use rug::{Float, Integer};
+
+/// Bits before the point: no coefficient of a provable expansion needs so many.
+const HEAD: u32 = 48;
+/// Of these, bits that a row may have; the rest is for sums and weights.
+const ROW_HEAD: u32 = 12;
+
+/// The choices that decide how close the approximation and its proof are.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Plan {
+    /// Bits after the point.
+    pub bits: u32,
+    /// The unit of the damping, about.
+    pub lambda: f64,
+    /// The unit of time around the turning point, or 0 to find one.
+    pub step: f64,
+    /// Terms of the trajectories beyond `bits` over the bits by which they fall.
+    pub margin: usize,
+}
+
+/// An expansion with proved radii.
+pub(crate) struct Expansion {
+    /// `y_0 .. y_N`, the maximal compression (A23).
+    pub compression: Vec<Ball>,
+    /// `C_0 .. C_N`, the restitution (A30).
+    pub restitution: Vec<Ball>,
+    /// A unit of time for a longer expansion.
+    pub step: f64,
+}
+
+/// Why an attempt proved nothing.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Failure {
+    /// The norms are too large: a smaller unit of the damping may help.
+    Norms,
+    /// The sums were cut off so many terms too early.
+    Terms(usize),
+}
+
+/// The law with its largest orders: `damping` of the trajectories, `last` of the expansion.
+pub(crate) struct Request<'l> {
+    pub law: &'l ForceLaw,
+    pub damping: usize,
+    pub last: usize,
+}
+
+/// The terms of the trajectories at a precision.
+pub(crate) fn size_for_bits(law: &ForceLaw, bits: u32, margin: usize) -> usize {
+    size_for((f64::from(bits) / log_singular_ratio(law)).ceil() as usize + margin)
+}
+
+/// Derives and proves the expansion of a law.
+pub(crate) fn attempt(
+    request: &Request,
+    plan: Plan,
+    watch: &mut dyn FnMut(usize),
+) -> Result<Expansion, Failure> {
+    let law = request.law;
+    let bits = plan.bits;
+    let scale = Scale::new(law, plan.lambda, bits);
+    let most = Float::with_val(64, 1) << (ROW_HEAD - 2);
+    let ratio = scale.ratio.0 as f64 / scale.ratio.1 as f64;
+    if scale.elastic.abs_up() > most || scale.damping.abs_up() > most || ratio > most.to_f64() {
+        return Err(Failure::Norms);
+    }
+    let slope = log_singular_ratio(law);
+    let shop = Workshop::new(bits, HEAD, ((slope * 0.85 * 64.0) as usize, 64));
+    let size = size_for_bits(law, bits, plan.margin);
+    let motion =
+        Motion::derive(&shop, &scale, request.damping, size, bits + ROW_HEAD, watch).ok_or(Failure::Norms)?;
+    let errors = motion_proof::bound(&shop, &scale, &motion, slope).ok_or(Failure::Norms)?;
+    if shop.overflowed() {
+        return Err(Failure::Norms);
+    }
+    if errors.missing_terms > 0 {
+        return Err(Failure::Terms(errors.missing_terms));
+    }
+
+    let flat = Workshop::new(bits, HEAD, (0, 1));
+    let start = Start::new(law, &scale, &motion, errors, bits);
+    let mut step = if plan.step > 0.0 { plan.step } else { start.first_step() };
+    for _ in 0..5 {
+        let turning = start.turning(step);
+        let Some(near) =
+            Neighbourhood::new(&flat, &scale, &turning, &start.position, &start.velocity, bits + ROW_HEAD)
+        else {
+            return Err(Failure::Norms);
+        };
+        let shift = near.shift(&flat, request.damping / 2 + 1);
+        let size = shift.norm(i64::from(bits), 1.0).to_f64();
+        if size.is_nan() || size >= 0.99 {
+            step *= size.clamp(1.05, 4.0) * 1.06;
+            continue;
+        }
+        let errors = (start.position_error, start.velocity_error);
+        let y_error =
+            turning_proof::bound(&flat, &scale, &turning, &near, errors, &shift).ok_or(Failure::Norms)?;
+        let y = near.derivative_at(&flat, &shift, 0, request.damping + 1);
+        let mut expansion = finish(request, &flat, &scale, &start, &y, y_error)?;
+        if flat.overflowed() {
+            return Err(Failure::Norms);
+        }
+        expansion.step = step * (size * 1.08).max(0.3);
+        return Ok(expansion);
+    }
+    Err(Failure::Norms)
+}
+
+/// The initial values of the neighbourhood of the turning point, in units of `x_0(T)`.
+struct Start {
+    position: Vec<Integer>,
+    velocity: Vec<Integer>,
+    position_error: Magnitude,
+    velocity_error: Magnitude,
+    /// `x_0(T)` in units of `T`.
+    top: Ball,
+    elastic: Ball,
+    damping: Ball,
+    bits: u32,
+}
+
+impl Start {
+    fn new(
+        law: &ForceLaw,
+        scale: &Scale,
+        motion: &Motion,
+        errors: motion_proof::MotionErrors,
+        bits: u32,
+    ) -> Self {
+        let prec = bits + 64;
+        let half = BigRational::new(1.into(), 2.into());
+        let reach = Ball::from_rational(&(law.elastic_step() * half), prec).pow(&law.elastic_step().recip());
+        let top = reach / &scale.time;
+        let inverse = fixed(&(Ball::from_integer(1, prec) / &top), bits);
+        let unit = scale.lattice.unit;
+        let (mut position, mut velocity) = (Vec::new(), Vec::new());
+        let mut sizes = Magnitude::ZERO;
+        for (n, f) in motion.f.iter().enumerate() {
+            let (mut x, mut v) = (Integer::new(), Integer::new());
+            for j in 0..f.len() {
+                let q = f.integer(j);
+                v += Integer::from(&q * (scale.index(n, j) + unit));
+                x += q;
+            }
+            v /= unit;
+            for value in [&x, &v] {
+                sizes = sizes + Magnitude::of(&Ball::from_big_integer(value, 64).shifted(-(bits as i32)));
+            }
+            position.push(Integer::from(&x * &inverse) >> bits);
+            velocity.push(Integer::from(&v * &inverse) >> bits);
+        }
+        // Exactly: the undamped motion turns at T.
+        position[0] = Integer::from(1) << bits;
+        velocity[0] = Integer::new();
+        // The inverse is right to one unit, each product is cut off, and so was the velocity.
+        let rounding = sizes + Magnitude::exact(3.0 * (motion.f.len() as f64 + 1.0));
+        let up = Magnitude::of(&(Ball::from_integer(1, 64) / &top));
+        let elastic = &scale.elastic * top.pow(&(law.a() - BigRational::one()));
+        let damping = &scale.damping * top.pow(law.gamma());
+        Self {
+            position,
+            velocity,
+            position_error: errors.position * up + rounding,
+            velocity_error: errors.velocity * up + rounding,
+            top,
+            elastic,
+            damping,
+            bits,
+        }
+    }
+
+    /// Somewhat more than the shift of the turning point at first order.
+    fn first_step(&self) -> f64 {
+        let velocity =
+            self.velocity.get(1).map_or(0.0, |v| (Float::with_val(64, v) >> self.bits).to_f64().abs());
+        let shift = velocity / self.elastic.to_f64();
+        if shift.is_finite() && shift > 1e-6 { 1.9 * shift } else { 0.25 }
+    }
+
+    fn turning(&self, step: f64) -> TurningScale {
+        let denominator = (64.0 / step).log2().round().clamp(1.0, 24.0).exp2();
+        let numerator = (step * denominator).ceil().clamp(1.0, 65536.0);
+        TurningScale {
+            elastic: self.elastic.clone(),
+            damping: self.damping.clone(),
+            step: (numerator as i64, denominator as i64),
+        }
+    }
+}
+
+/// The inverse collision, and everything in the units of the paper.
+fn finish(
+    request: &Request,
+    shop: &Workshop,
+    scale: &Scale,
+    start: &Start,
+    y: &Fixed,
+    y_error: Magnitude,
+) -> Result<Expansion, Failure> {
+    let law = request.law;
+    let small = |x: &BigRational| (x.numer().to_i64().unwrap_or(0), x.denom().to_i64().unwrap_or(1));
+    let exponents = Exponents {
+        elastic: small(&(BigRational::from_integer(2.into()) / law.elastic_step())),
+        velocity: small(&law.velocity_exponent()),
+    };
+    // What is not known of Y is y_N of even order N, which cancels from C_N: any value will do.
+    let mut padded = y.clone();
+    padded.extend(&Fixed::zero(request.last + 1 - y.len(), shop.width()));
+    let l = logarithm(shop, &padded, exponents, request.last + 1);
+    let proved = inverse_proof::prove(shop, &padded, y_error, &l, exponents).ok_or(Failure::Norms)?;
+    let unit = -(start.bits as i32);
+    let lambda = |k: usize| scale.lambda.powi(i64::try_from(k).unwrap_or(i64::MAX));
+    let ball = |series: &Fixed, k: usize, error: Float| {
+        let mid = Ball::from_big_integer(&series.integer(k), start.bits + HEAD).mid().clone();
+        Ball::new(mid, &error).shifted(unit) / lambda(k)
+    };
+    let length = &start.top * &scale.time;
+    let compression =
+        (0..y.len()).map(|k| if k == 0 { length.clone() } else { ball(y, k, y_error.to_float()) * &length });
+    let radius = |k: usize| {
+        let weight = Ball::from_f64(proved.weight, 64).powi(i64::try_from(k).unwrap_or(i64::MAX));
+        (Ball::exact(proved.error.to_float()) / weight).abs_up()
+    };
+    let restitution = (0..=request.last)
+        .map(|k| if k == 0 { Ball::from_integer(1, start.bits) } else { ball(&proved.series, k, radius(k)) });
+    let mut restitution: Vec<Ball> = restitution.map(|c| c.with_prec(start.bits)).collect();
+    vanish(law, &mut restitution);
+    Ok(Expansion { compression: compression.collect(), restitution, step: 0.0 })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The expansion at some precision, with a smaller unit of the damping where the first proves nothing.
+    fn proved(law: &ForceLaw, order: usize, bits: u32, lambda: f64) -> (Expansion, f64) {
+        let request = Request { law, damping: order, last: order };
+        let mut plan = Plan { bits, lambda, step: 0.0, margin: 24 };
+        loop {
+            match attempt(&request, plan, &mut |_| ()) {
+                Ok(expansion) => return (expansion, plan.lambda),
+                Err(Failure::Terms(terms)) => plan.margin += terms + 16,
+                Err(Failure::Norms) => plan.lambda *= 0.7,
+            }
+            assert!(plan.lambda > 1e-3, "{law}: nothing was proved");
+        }
+    }
+
+    /// Every radius holds the distance to a run with a hundred digits more; how many bits it gives away is shown.
+    #[test]
+    fn radii_hold_the_true_errors() {
+        let cases = [
+            ("3/2,1/2", 8, 128),
+            ("3/2,1/2", 31, 200),
+            ("3/2,1/2", 5, 700),
+            ("2,1/3", 7, 160),
+            ("5/4,-1/4", 9, 160),
+            ("1,0", 6, 150),
+            ("5/2,3/2", 6, 180),
+            ("3/2,4999/10000", 4, 140),
+            ("3,0", 8, 160),
+        ];
+        let mut most = 0.0f64;
+        for (text, order, bits) in cases {
+            let law: ForceLaw = text.parse().unwrap();
+            let (first, lambda) = proved(&law, order, bits, 0.9);
+            let (second, _) = proved(&law, order, bits + 332, lambda);
+            for (name, first, second) in [
+                ("y", &first.compression, &second.compression),
+                ("C", &first.restitution, &second.restitution),
+            ] {
+                let mut given_away = Vec::new();
+                for (k, (x, better)) in first.iter().zip(second).enumerate().skip(1) {
+                    if x.is_exact() {
+                        continue;
+                    }
+                    let error = (Ball::exact(x.mid().clone()) - Ball::exact(better.mid().clone())).abs_up();
+                    let error = error + better.rad();
+                    assert!(x.rad() >= &error, "{text} {name}_{k}: {x:?} is off by {error}");
+                    given_away.push((x.rad() / error).to_f64().log2());
+                }
+                let largest = given_away.iter().copied().fold(0.0, f64::max);
+                println!(
+                    "{text}, {bits} bits: {name}_1..{order} give away {:.0} to {largest:.0} bits",
+                    given_away.iter().copied().fold(f64::INFINITY, f64::min)
+                );
+                most = most.max(largest);
+            }
+        }
+        assert!(most < 60.0, "{most} bits are given away");
+    }
+
+    /// A proof that forgets the errors of what it was given would prove less than nothing.
+    #[test]
+    fn errors_of_the_sums_reach_the_coefficients() {
+        let law = ForceLaw::viscoelastic_spheres();
+        let (coarse, lambda) = proved(&law, 6, 128, 0.9);
+        let (fine, _) = proved(&law, 6, 160, lambda);
+        for (coarse, fine) in coarse.restitution.iter().zip(&fine.restitution).skip(1) {
+            let gained = (coarse.rad() / Float::with_val(64, fine.rad())).to_f64().log2();
+            assert!((28.0..36.0).contains(&gained), "32 bits more gain {gained}");
+        }
+    }
+}

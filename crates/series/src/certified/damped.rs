@@ -1,0 +1,211 @@
+//! The orders `x_1, x_2, ...` in the damping, one after the other, in fixed point.
+
+use super::one_variable::exponential;
+use super::power_rows::{PowerRows, Rows};
+use super::undamped::{Linearised, Undamped};
+use super::units::{Scale, fixed};
+use crate::kernels::{Fixed, Sum, Transformed, Workshop};
+
+/// Approximations of the trajectories and of the powers in their equation of motion.
+pub(crate) struct Motion {
+    /// `F_0 .. F_N`.
+    pub f: Vec<Fixed>,
+    /// `e F^a`.
+    pub force: Vec<Fixed>,
+    /// `d F^(gamma+1)`; empty where it is a multiple of the force.
+    pub friction: Vec<Fixed>,
+    /// By how far the powers are not powers: `a H theta F - F theta H`, `theta = w d/dw`, at orders `n >= 1`,
+    /// divided by `n`.
+    pub force_defects: Vec<Fixed>,
+    pub friction_defects: Vec<Fixed>,
+}
+
+/// A power of `F` under way.
+struct Power {
+    rows: PowerRows,
+    /// `p` times the zeroth row over `F_0`.
+    slope: Transformed,
+    found: Vec<Fixed>,
+    defects: Vec<Fixed>,
+    lower: Option<(Sum, Fixed)>,
+    denominator: i64,
+}
+
+impl Power {
+    fn new(field: &Field, steps: i64, zeroth: Fixed, reciprocal: &Transformed) -> Self {
+        let (shop, unit) = (field.shop, field.scale.lattice.unit);
+        let mut rows = PowerRows::new(steps, unit);
+        rows.push(shop, &zeroth, field.size);
+        let slope = field.settle(shop.sum(&[(1, rows.row(0), reciprocal)])).scaled(|_| (steps, unit));
+        let slope = field.transform(&slope);
+        Self { rows, slope, found: vec![zeroth], defects: Vec::new(), lower: None, denominator: unit }
+    }
+
+    /// `K_n`, what the lower orders contribute to order `n`.
+    fn prepare(&mut self, field: &Field, x: &Rows, reciprocal: &Transformed) {
+        let n = self.found.len() as i64;
+        let sum = self.rows.lower(field.shop, x);
+        let mean = field.settle(sum.clone()).scaled(|_| (1, self.denominator * n));
+        let mean = field.transform(&mean);
+        let lower = field.settle(field.shop.sum(&[(1, &mean, reciprocal)]));
+        self.lower = Some((sum, lower));
+    }
+
+    fn lower(&self) -> Option<&Fixed> {
+        self.lower.as_ref().map(|(_, lower)| lower)
+    }
+
+    /// Adds order `n`, `p F_0^(p-1) F_n + K_n`, and its defect.
+    fn push(&mut self, field: &Field, x: &Rows) -> Option<()> {
+        let mut row = field.settle(field.shop.sum(&[(1, &self.slope, x.plain.last()?)]));
+        let (sum, lower) = self.lower.take()?;
+        row.add(&lower);
+        self.rows.push(field.shop, &row, field.size);
+        let n = self.found.len() as i64;
+        let defect = field.settle(self.rows.defect(field.shop, x, sum)?);
+        self.defects.push(defect.scaled(|_| (1, n)));
+        self.found.push(row);
+        Some(())
+    }
+}
+
+/// The workshop and the size of its transforms.
+struct Field<'s> {
+    shop: &'s Workshop,
+    scale: &'s Scale,
+    size: usize,
+}
+
+impl Field<'_> {
+    fn transform(&self, series: &Fixed) -> Transformed {
+        self.shop.transform(series, self.size, self.shop.all_primes())
+    }
+
+    fn settle(&self, sum: Sum) -> Fixed {
+        self.shop.settle(sum, self.size, self.shop.bits())
+    }
+}
+
+impl Motion {
+    /// Derives `F_0 .. F_N` with `size` terms each: order `n` solves the linearised equation with right side
+    ///
+    /// ```text
+    /// -(e_n/(gamma+1)) (d F^(gamma+1))_(n-1) - s K_n,    K_n of e F^a
+    /// ```
+    ///
+    /// Products are cyclic of length `size`: what is folded over is smaller than a unit. `None` if a row has
+    /// more bits than the limit.
+    pub fn derive(
+        shop: &Workshop,
+        scale: &Scale,
+        orders: usize,
+        size: usize,
+        limit: u32,
+        watch: &mut dyn FnMut(usize),
+    ) -> Option<Self> {
+        let Undamped { f, force, reciprocal } = Undamped::solve(shop, scale, size);
+        let within = |row: &Fixed| row.bits() <= limit;
+        if ![&f, &force, &reciprocal].into_iter().all(within) {
+            return None;
+        }
+        watch(0);
+        let field = Field { shop, scale, size };
+        let lattice = scale.lattice;
+        let reciprocal = field.transform(&reciprocal);
+        let friction = (!scale.shared).then(|| friction_at_order_zero(&field, &f, &reciprocal));
+        let linearised = Linearised::new(scale, &f);
+        let linearised = [field.transform(&linearised.velocity), field.transform(&linearised.rescaling)];
+        let [elastic, damping] = scale.powers();
+        let mut force = Power::new(&field, elastic, force, &reciprocal);
+        let mut friction = friction.map(|zeroth| Power::new(&field, damping, zeroth, &reciprocal));
+        let mut x = Rows::default();
+        x.push(shop, &f, size);
+        let mut found = vec![f];
+        for n in 1..=orders {
+            force.prepare(&field, &x, &reciprocal);
+            if let Some(friction) = &mut friction {
+                friction.prepare(&field, &x, &reciprocal);
+            }
+            let (numerator, denominator) = if scale.shared { scale.ratio } else { (1, 1) };
+            let source = friction.as_ref().unwrap_or(&force);
+            let e = |j: usize| (scale.index(n, j) * numerator, lattice.damping * denominator);
+            let mut right = source.found[n - 1].scaled(e);
+            if let Some(lower) = force.lower() {
+                right.add(&lower.stepped());
+            }
+            let f_n = solve(&field, &linearised, &right.negated(), n);
+            if !within(&f_n) || !within(source.found.last()?) {
+                return None;
+            }
+            x.push(shop, &f_n, size);
+            force.push(&field, &x)?;
+            if let Some(friction) = &mut friction {
+                friction.push(&field, &x)?;
+            }
+            found.push(f_n);
+            watch(n);
+        }
+        let (friction, friction_defects) = friction.map_or_else(Default::default, |f| (f.found, f.defects));
+        Some(Self { f: found, force: force.found, friction, force_defects: force.defects, friction_defects })
+    }
+}
+
+/// Solves the linearised equation at damping order `n >= 1`.
+fn solve(field: &Field, [velocity, rescaling]: &[Transformed; 2], right: &Fixed, n: usize) -> Fixed {
+    let lattice = field.scale.lattice;
+    let e = |j: usize| field.scale.index(n, j);
+    let right = field.transform(right);
+    let work = field.settle(field.shop.sum(&[(1, velocity, &right)])).scaled(|j| (lattice.unit, e(j)));
+    let moment = field.settle(field.shop.sum(&[(1, rescaling, &right)]));
+    let moment = moment.scaled(|j| (lattice.unit, e(j) + lattice.unit));
+    let (work, moment) = (field.transform(&work), field.transform(&moment));
+    let sum = field.settle(field.shop.sum(&[(1, rescaling, &work), (-1, velocity, &moment)]));
+    sum.scaled(|_| (2 * lattice.unit, lattice.elastic))
+}
+
+/// `d F_0^(gamma+1)`.
+///
+/// With `theta = s d/ds`, `H = F^p` solves `theta H = p (theta F)/F H`.
+fn friction_at_order_zero(field: &Field, f: &Fixed, reciprocal: &Transformed) -> Fixed {
+    let (shop, scale) = (field.shop, field.scale);
+    let slope = field.transform(&f.scaled(|j| (j as i64, 1)));
+    let rate = field.settle(shop.sum(&[(1, &slope, reciprocal)]));
+    let rate = rate.scaled(|_| (scale.lattice.damping, scale.lattice.unit));
+    exponential(shop, &rate, &fixed(&scale.damping, shop.bits()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Trajectories, Units};
+    use restitution_law::ForceLaw;
+    use restitution_real::Ball;
+
+    #[test]
+    fn fixed_point_trajectories_are_those_of_balls() {
+        for (law, lambda) in [("3/2,1/2", 1.0), ("2,1/3", 0.8), ("5/4,-1/4", 0.5), ("1,0", 1.0)] {
+            let law: ForceLaw = law.parse().unwrap();
+            let bits = 192;
+            let scale = Scale::new(&law, lambda, bits);
+            let shop = Workshop::new(bits, 40, (2, 1));
+            let size = crate::kernels::size_for(
+                (f64::from(bits) / super::super::units::log_singular_ratio(&law)) as usize + 16,
+            );
+            let motion = Motion::derive(&shop, &scale, 5, size, 230, &mut |_| ()).unwrap();
+            let units = Units { elastic: scale.elastic.clone(), damping: scale.damping.clone() };
+            let balls = Trajectories::<Ball>::derive(&law, 5, size, &units);
+            for n in 0..=5 {
+                let mut worst = 0f64;
+                for (j, ball) in balls.coefficients(n).unwrap().iter().enumerate() {
+                    let ours = Ball::from_big_integer(&motion.f[n].integer(j), 400).shifted(-(bits as i32));
+                    worst = worst.max(((ours - ball).shifted(bits as i32)).abs().to_f64());
+                }
+                println!(
+                    "{law} {n}: {worst:.1} units, defect {:?}",
+                    (n > 0).then(|| motion.force_defects[n - 1].norm(0, 1.0))
+                );
+                assert!(worst < 2f64.powi(16), "{law} {n}: {worst} units");
+            }
+        }
+    }
+}

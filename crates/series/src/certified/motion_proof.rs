@@ -1,0 +1,191 @@
+//! How far the trajectories found are from the true ones (`docs/error-bounds.md`, theorem 4).
+
+use super::damped::Motion;
+use super::response::{Cause, response};
+use super::sketch::{Grading, Powers, Sketch};
+use super::units::Scale;
+use crate::kernels::{Fixed, Workshop, power_of_two};
+use restitution_real::Magnitude;
+use rug::Integer;
+
+/// The error of one settled coefficient: half a unit and the rounding of the fraction.
+pub(crate) const SETTLED: f64 = 0.51;
+/// How much larger than all else the error of the cut may be before more terms are asked for.
+const CUT: f64 = 64.0;
+/// Bins for exponents, at most.
+const MOST_BINS: usize = 6000;
+/// Bins for the smaller step of the exponents.
+const BINS_PER_STEP: f64 = 4.0;
+
+/// Bounds of the errors of all orders together, in units of the fixed point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MotionErrors {
+    /// `sum_n |x_n(T) - x~_n(T)|`.
+    pub position: Magnitude,
+    /// `sum_n |x_n'(T) - x~_n'(T)|`.
+    pub velocity: Magnitude,
+    /// Terms by which the sums were cut off too early to lose no bits by that.
+    pub missing_terms: usize,
+}
+
+/// One power in the equation of motion: `constant F^power`, found as `rows` with `defects`.
+struct Force<'m> {
+    steps: i64,
+    rows: &'m [Fixed],
+    defects: &'m [Fixed],
+}
+
+fn exact(x: f64) -> Magnitude {
+    Magnitude::exact(x * (1.0 + 1e-12))
+}
+
+/// Proves bounds of the errors, or `None` if the norms are too large for the theorem.
+pub(crate) fn bound(shop: &Workshop, scale: &Scale, motion: &Motion, slope: f64) -> Option<MotionErrors> {
+    let unit = scale.lattice.unit as f64;
+    let (elastic, damping) = (scale.lattice.elastic as f64 / unit, scale.lattice.damping as f64 / unit);
+    let grading = Grading { row: damping, column: elastic };
+    let powers = Powers::new(Sketch::new(&motion.f, shop.bits(), grading)?, grading)?;
+    let pull = Force { steps: scale.powers()[0], rows: &motion.force, defects: &motion.force_defects };
+    let stiffness = powers.power(elastic - 2.0)?;
+    let (pull_error, mut folded) = force_error(shop, scale, motion, &pull, &powers, stiffness.norm(), slope)?;
+    let (drag, drag_error) = if scale.shared {
+        let ratio = exact(scale.ratio.0 as f64 / scale.ratio.1 as f64);
+        (stiffness.clone(), pull_error * ratio)
+    } else {
+        let friction =
+            Force { steps: scale.powers()[1], rows: &motion.friction, defects: &motion.friction_defects };
+        let drag = powers.power(damping - 1.0)?;
+        let (error, of_friction) = force_error(shop, scale, motion, &friction, &powers, drag.norm(), slope)?;
+        folded = folded + of_friction;
+        (drag, error)
+    };
+
+    let (residual, last) = residual(scale, motion);
+    // A few bits lost by the cut cost less than more terms.
+    let rest = residual.to_f64() + pull_error.to_f64() + drag_error.to_f64();
+    let cut = (last + folded).to_f64() / (rest - (last + folded).to_f64()).max(1.0);
+    let missing_terms = if cut > CUT { (cut.log2() / (0.9 * slope)).ceil() as usize } else { 0 };
+    let residual = residual + pull_error * exact(1.0 / elastic) + drag_error * exact(1.0 / damping);
+    let width = elastic.min(damping) / BINS_PER_STEP;
+    let bin = |e: f64| (e / width - 1e-9).max(0.0) as usize;
+    let binned = |sketch: &Sketch, factor: Magnitude| -> Vec<Magnitude> {
+        let norms = sketch.norms_by(|n, j| bin(damping * n as f64 + elastic * j as f64));
+        norms.into_iter().map(|norm| norm * factor).collect()
+    };
+    let (e, d) = (Magnitude::of(&scale.elastic), Magnitude::of(&scale.damping));
+    let power = elastic - 1.0;
+    let low = |b: usize| b as f64 * width;
+    let causes = [
+        Cause {
+            step: bin(elastic),
+            sizes: &binned(&stiffness, e * exact(power)),
+            weight: &|b, place| 1.0 / ((low(b) + 1.0) * low(place)),
+        },
+        Cause { step: bin(damping), sizes: &binned(&drag, d), weight: &|b, _| 1.0 / (low(b) + 1.0) },
+    ];
+    let growth = response(bin(elastic.min(damping)), &causes, MOST_BINS)?;
+
+    // What is of second order in the error must stay below the residual.
+    let velocity = growth * residual * Magnitude::exact(2.0);
+    let small = power_of_two(-i64::from(shop.bits()));
+    let relative = velocity * small * powers.reciprocal();
+    let curvature = |constant: Magnitude, power: f64, norm: Magnitude, step: f64| {
+        constant * exact((power * (power - 1.0)).abs() / step) * norm * powers.base()
+    };
+    let second = curvature(e, power, stiffness.norm(), elastic) + curvature(d, damping, drag.norm(), damping);
+    let second = second * relative * powers.reciprocal() * velocity;
+    let allowed = (relative * exact(power.max(damping).max(1.0))).to_f64() <= 0.5 && second <= residual;
+    let position = velocity * exact(1.0 / (1.0 + elastic.min(damping)));
+    (allowed && velocity.is_finite()).then_some(MotionErrors { position, velocity, missing_terms })
+}
+
+/// `||H - c F^p||` for the rows `H` found and the polynomial `F` found: `||F^p||` times
+///
+/// ```text
+/// |h - c| + ||F^(-p-1)|| (||r_0|| + sum_(n >= 1) ||r_n||/n)
+/// ```
+///
+/// with the defects `r`, where products were cyclic: what was folded over counts twice.
+fn force_error(
+    shop: &Workshop,
+    scale: &Scale,
+    motion: &Motion,
+    force: &Force,
+    powers: &Powers,
+    lower_power: Magnitude,
+    slope: f64,
+) -> Option<(Magnitude, Magnitude)> {
+    let unit = scale.lattice.unit;
+    let power = force.steps as f64 / unit as f64;
+    let size = motion.f[0].len();
+    let rounding = exact(SETTLED * size as f64);
+    let truncated = exact(size as f64);
+    let rows = force.defects.iter().map(|defect| defect.norm(0, 1.0) + rounding + truncated);
+    let of_rows = rows.sum::<Magnitude>();
+
+    let transform = |series: &Fixed| shop.transform(series, size, shop.all_primes());
+    let (f, h) = (&motion.f[0], &force.rows[0]);
+    let slope_f = f.scaled(|j| (force.steps * j as i64, 1));
+    let slope_h = h.scaled(|j| (unit * j as i64, 1));
+    let products =
+        shop.sum(&[(1, &transform(&slope_f), &transform(h)), (-1, &transform(f), &transform(&slope_h))]);
+    let of_first = shop.settle(products, size, shop.bits()).norm(0, 1.0) + rounding;
+
+    let folded = |slope: f64| {
+        let bits = i64::from(shop.bits());
+        let norm = |series: &Fixed| series.rising_norm(bits, slope);
+        let all = |rows: &[Fixed]| rows.iter().map(norm).sum::<Magnitude>();
+        let sum = exact(power.max(1.0) * unit as f64) * all(&motion.f) * all(force.rows)
+            + norm(&slope_f) * norm(h)
+            + norm(f) * norm(&slope_h);
+        sum * power_of_two(bits + 1 - (slope * size as f64).floor() as i64)
+    };
+    let folded = [0.99, 0.97, 0.94, 0.9, 0.8].map(|share| folded(share * slope));
+    let folded = folded.into_iter().reduce(|x, y| if x < y { x } else { y })?;
+    let defects = (of_rows + of_first + folded) * exact(1.0 / unit as f64);
+    let inverse = powers.power(-power - 1.0)?.norm();
+    let error = Magnitude::ONE + inverse * defects;
+    let error_of_folded = inverse * folded * exact(1.0 / unit as f64);
+    Some((lower_power * powers.base() * error, lower_power * powers.base() * error_of_folded))
+}
+
+/// `||D^(-1) r||` for the residual `r` of the equation of motion, exactly but for the last conversion:
+///
+/// ```text
+/// r_(n,j)/e = (e+1) F_(n,j) + H_(n,j-1)/e + G_(n-1,j)/(gamma+1)
+/// ```
+///
+/// The second bound is that of the terms where the rows end.
+fn residual(scale: &Scale, motion: &Motion) -> (Magnitude, Magnitude) {
+    let (unit, damping) = (scale.lattice.unit, scale.lattice.damping);
+    let (numerator, denominator) = if scale.shared { scale.ratio } else { (1, 1) };
+    let friction = if scale.shared { &motion.force } else { &motion.friction };
+    let (mut total, mut last) = (Magnitude::ZERO, Magnitude::ZERO);
+    for (n, f) in motion.f.iter().enumerate() {
+        for j in 0..=f.len() {
+            let m = scale.index(n, j);
+            if m == 0 {
+                continue;
+            }
+            let mut sum = Integer::new();
+            if j < f.len() {
+                sum += f.integer(j) * m * (m + unit) * (damping * denominator);
+                if n > 0 {
+                    sum += friction[n - 1].integer(j) * m * (unit * unit) * numerator;
+                }
+            }
+            if j > 0 {
+                sum += motion.force[n].integer(j - 1) * (unit * unit) * (damping * denominator);
+            }
+            if !sum.is_zero() {
+                let size = Magnitude::exact(sum.to_f64().abs().next_up());
+                let size = size * exact(1.0 / (unit as f64 * m as f64 * damping as f64 * denominator as f64));
+                total = total + size;
+                if j == f.len() {
+                    last = last + size;
+                }
+            }
+        }
+    }
+    (total, last)
+}

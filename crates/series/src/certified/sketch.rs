@@ -1,0 +1,245 @@
+//! Series in two variables in double precision, with a bound of how far the exact ones may be.
+//!
+//! All norms are `||f|| = sum |f_(n,j)|`, a Banach algebra. A sketch decides nothing by itself: what is
+//! proved rests on the norms of defects, in which the rounding of doubles is counted.
+
+use crate::kernels::Fixed;
+use restitution_real::Magnitude;
+
+/// Norm below which the rows and columns at the end are left out of a sketch.
+const LEFT_OUT: f64 = 1e-7;
+/// Most coefficients of a sketch.
+const LARGEST: usize = 6000;
+/// One rounding of a double.
+const UNIT: f64 = f64::EPSILON;
+
+/// `f = f~ + (something of norm at most error)`, `f~` with `rows` times `columns` coefficients.
+#[derive(Clone, Debug)]
+pub(crate) struct Sketch {
+    columns: usize,
+    /// Rows from here on are taken to be zero, also in products.
+    cut: usize,
+    values: Vec<f64>,
+    /// Bounds the norm of what is missing.
+    pub error: Magnitude,
+    /// The same for `D f`, where each coefficient counts with its exponent.
+    slope_error: Magnitude,
+}
+
+/// The exponents `row n + column j`, both steps positive.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Grading {
+    pub row: f64,
+    pub column: f64,
+}
+
+impl Grading {
+    fn exponent(self, n: usize, j: usize) -> f64 {
+        self.row * n as f64 + self.column * j as f64
+    }
+
+    fn least(self) -> f64 {
+        self.row.min(self.column)
+    }
+}
+
+/// Powers of a series with constant term 1, all bounded.
+pub(crate) struct Powers {
+    grading: Grading,
+    base: Sketch,
+    reciprocal: Magnitude,
+}
+
+impl Sketch {
+    /// Takes the leading coefficients of exact rows in units of `2^-bits`.
+    ///
+    /// `None` if too many of them count.
+    pub fn new(exact: &[Fixed], bits: u32, grading: Grading) -> Option<Self> {
+        let unit = i64::from(bits);
+        let sizes: Vec<Vec<f64>> =
+            exact.iter().map(|row| (0..row.len()).map(|j| row.size(j, unit).to_f64()).collect()).collect();
+        let width = sizes.iter().map(Vec::len).max().unwrap_or(0);
+        let row_norms: Vec<f64> = sizes.iter().map(|row| row.iter().sum()).collect();
+        let column = |j: usize| sizes.iter().filter_map(|row| row.get(j)).sum::<f64>();
+        let column_norms: Vec<f64> = (0..width).map(column).collect();
+        let (rows, columns) = (counting(&row_norms), counting(&column_norms));
+        if rows * columns > LARGEST {
+            return None;
+        }
+        let mut values = vec![0.0; rows * columns];
+        let (mut error, mut slope_error) = (Magnitude::ZERO, Magnitude::ZERO);
+        for (n, row) in exact.iter().enumerate() {
+            for j in 0..row.len() {
+                let size = sizes[n][j];
+                if size == 0.0 {
+                    continue;
+                }
+                let missing = if n < rows && j < columns {
+                    let negative = row.words(j).last().is_some_and(|top| top >> 63 == 1);
+                    values[n * columns + j] = if negative { -size } else { size };
+                    // The size is within 2^-50 of the number, or within one unit of the last place of both.
+                    Magnitude::exact(size) * Magnitude::exact(8.0 * UNIT)
+                        + crate::kernels::power_of_two(-unit)
+                } else {
+                    Magnitude::exact(size)
+                };
+                error = error + missing;
+                slope_error =
+                    slope_error + missing * Magnitude::exact(grading.exponent(n, j) * (1.0 + 8.0 * UNIT));
+            }
+        }
+        Some(Self { columns, cut: exact.len(), values, error, slope_error })
+    }
+
+    fn rows(&self) -> usize {
+        self.values.len() / self.columns
+    }
+
+    /// An upper bound of the norm.
+    pub fn norm(&self) -> Magnitude {
+        norm(self.values.iter().copied()) + self.error
+    }
+
+    /// Upper bounds of the norm by place, `place(n, j)`; what is missing counts at place 0.
+    pub fn norms_by(&self, place: impl Fn(usize, usize) -> usize) -> Vec<Magnitude> {
+        let mut norms = vec![self.error];
+        for (i, value) in self.values.iter().enumerate() {
+            let place = place(i / self.columns, i % self.columns);
+            if norms.len() <= place {
+                norms.resize(place + 1, Magnitude::ZERO);
+            }
+            norms[place] = norms[place] + Magnitude::exact(value.abs());
+        }
+        norms
+    }
+
+    /// `f~^p` by Miller's formula, as far as the sketch reaches; the errors are not set.
+    fn raw_power(&self, power: f64, grading: Grading) -> Self {
+        let (rows, columns) = (self.rows(), self.columns);
+        let mut result = vec![0.0; rows * columns];
+        result[0] = 1.0;
+        for n in 0..rows {
+            for j in 0..columns {
+                if (n, j) == (0, 0) {
+                    continue;
+                }
+                let e = grading.exponent(n, j);
+                let mut sum = 0.0;
+                for m in 0..=n {
+                    let x = &self.values[m * columns..];
+                    let y = &result[(n - m) * columns..];
+                    for i in 0..=j {
+                        let first = grading.exponent(m, i);
+                        sum += (power * first - (e - first)) * x[i] * y[j - i];
+                    }
+                }
+                result[n * columns + j] = sum / e;
+            }
+        }
+        Self { columns, cut: self.cut, values: result, error: Magnitude::ZERO, slope_error: Magnitude::ZERO }
+    }
+
+    /// The norm of `sum_t c_t f_t g_t` for sketches of one shape, rounding counted.
+    fn norm_of_sum(&self, terms: &[(f64, &[f64], &[f64])], less_one: bool) -> Magnitude {
+        let columns = self.columns;
+        let rows = terms[0].1.len() / columns;
+        let wide = 2 * columns - 1;
+        let mut product = vec![0.0; (2 * rows - 1) * wide];
+        let mut sizes = Magnitude::ZERO;
+        for (c, f, g) in terms {
+            for (m, f) in f.chunks(columns).enumerate() {
+                for (n, g) in g.chunks(columns).enumerate().take(self.cut.saturating_sub(m)) {
+                    for (i, x) in f.iter().enumerate().filter(|(_, x)| **x != 0.0) {
+                        let x = c * x;
+                        for (p, y) in product[(m + n) * wide + i..].iter_mut().zip(g) {
+                            *p += x * y;
+                        }
+                    }
+                }
+            }
+            sizes = sizes + Magnitude::exact(c.abs()) * norm(f.iter().copied()) * norm(g.iter().copied());
+        }
+        if less_one {
+            product[0] -= 1.0;
+            sizes = sizes + Magnitude::ONE;
+        }
+        // At most so many additions, each with a relative error of UNIT/2 of what was added so far.
+        let additions = (terms.len() * rows * columns + 4) as f64;
+        norm(product.into_iter()) + sizes * Magnitude::exact(additions * UNIT)
+    }
+
+    /// `D f~`, every coefficient times its exponent.
+    fn slope(&self, grading: Grading) -> Vec<f64> {
+        let scale = |(i, value): (usize, &f64)| value * grading.exponent(i / self.columns, i % self.columns);
+        self.values.iter().enumerate().map(scale).collect()
+    }
+}
+
+impl Powers {
+    /// For a series with constant term 1. `None` if its reciprocal cannot be bounded.
+    pub fn new(base: Sketch, grading: Grading) -> Option<Self> {
+        let inverse = base.raw_power(-1.0, grading);
+        let gap =
+            base.norm_of_sum(&[(1.0, &base.values, &inverse.values)], true) + base.error * inverse.norm();
+        let reciprocal = inverse.norm() * over_one_minus(gap)?;
+        Some(Self { grading, base, reciprocal })
+    }
+
+    /// A bound of the norm of the series.
+    pub fn base(&self) -> Magnitude {
+        self.base.norm()
+    }
+
+    /// A bound of the norm of its reciprocal.
+    pub fn reciprocal(&self) -> Magnitude {
+        self.reciprocal
+    }
+
+    /// The power of the exact series, as a sketch with its error.
+    ///
+    /// With `Q` the power of the sketch and `X = Q/f^p = 1 + xi`, `D X = (f D Q - p Q D f)/(f Q) X`, so that
+    /// `||xi|| <= x/(1-x)`, `x = ||f D Q - p Q D f|| ||1/f|| ||1/Q|| / least exponent`.
+    pub fn power(&self, power: f64) -> Option<Sketch> {
+        let (f, grading) = (&self.base, self.grading);
+        let mut found = f.raw_power(power, grading);
+        let opposite = f.raw_power(-power, grading);
+        let gap = f.norm_of_sum(&[(1.0, &found.values, &opposite.values)], true);
+        let inverse = opposite.norm() * over_one_minus(gap)?;
+        let (slope, found_slope) = (f.slope(grading), found.slope(grading));
+        let size = Magnitude::exact(power.abs() * (1.0 + 2.0 * UNIT));
+        let defect = f.norm_of_sum(&[(1.0, &f.values, &found_slope), (-power, &found.values, &slope)], false);
+        // Exponents and the power are doubles next to the exact ones.
+        let inexact = norm(found_slope.iter().copied()) * f.norm()
+            + size * found.norm() * (norm(slope.iter().copied()) + f.slope_error);
+        let defect = defect
+            + inexact * Magnitude::exact(16.0 * UNIT)
+            + f.error * norm(found_slope.iter().copied())
+            + size * found.norm() * f.slope_error;
+        let least = Magnitude::exact((1.0 + 8.0 * UNIT) / grading.least());
+        let x = defect * self.reciprocal * inverse * least;
+        let xi = x * over_one_minus(x)?;
+        found.error = found.norm() * xi * over_one_minus(xi)?;
+        Some(found)
+    }
+}
+
+/// How many leading norms leave less than the limit.
+fn counting(norms: &[f64]) -> usize {
+    let mut rest = 0.0;
+    let enough = norms.iter().rposition(|norm| {
+        rest += norm;
+        rest.is_nan() || rest >= LEFT_OUT
+    });
+    enough.map_or(1, |last| last + 1)
+}
+
+/// An upper bound of the sum of absolute values, of up to `2^20` numbers.
+fn norm(values: impl Iterator<Item = f64>) -> Magnitude {
+    Magnitude::exact(values.map(f64::abs).sum::<f64>() * (1.0 + 1e-9))
+}
+
+/// `1/(1-x)` for a bound `x < 1`, rounded up.
+pub(crate) fn over_one_minus(x: Magnitude) -> Option<Magnitude> {
+    let rest = (1.0 - x.to_f64()).next_down();
+    (rest > 1e-3).then(|| Magnitude::exact((1.0 / rest).next_up()))
+}

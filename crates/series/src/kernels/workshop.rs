@@ -1,0 +1,335 @@
+//! Sums of products of fixed-point series: transformed once, multiplied exactly, rounded once.
+
+use super::basis::{Level, Radix, capacity, primes, primes_for};
+use super::fixed::Fixed;
+use super::prime::Prime;
+use super::transform::{Roots, size_for};
+use rayon::prelude::*;
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Word operations below which a second thread costs more than it brings.
+const WORTH_SPLITTING: usize = 60_000;
+/// Products of two residues that fit beside each other into 127 bits.
+const LAZY: usize = 8;
+/// Places that are summed together, to stay in the first cache.
+const BLOCK: usize = 64;
+/// Steps by which fewer primes are used for coefficients that are known to be smaller.
+const LEVELS: usize = 8;
+
+/// Fixed-point series of one absolute precision and the tools to multiply them.
+pub(crate) struct Workshop {
+    bits: u32,
+    width: usize,
+    /// Bits by which coefficients are expected to fall with each term, as a fraction.
+    decay: (usize, usize),
+    primes: Vec<Prime>,
+    radices: Vec<Radix>,
+    roots: Mutex<HashMap<usize, Arc<Vec<Roots>>>>,
+    levels: Mutex<HashMap<(usize, u32), Arc<Level>>>,
+    overflow: AtomicBool,
+}
+
+/// A series as values at roots of unity modulo the first primes.
+#[derive(Clone, Debug)]
+pub(crate) struct Transformed {
+    size: usize,
+    count: usize,
+    len: usize,
+    extent: Extent,
+    values: Vec<u64>,
+}
+
+/// How large coefficients are: `|c_j| < 2^peak` and `|c_j| < 2^(reach - fall(j))`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Extent {
+    peak: u32,
+    reach: u32,
+}
+
+impl Extent {
+    /// Bits that hold every coefficient.
+    fn bits(self) -> u32 {
+        self.peak.min(self.reach)
+    }
+
+    /// The extent of numbers larger by so many bits.
+    pub fn plus(self, bits: u32) -> Self {
+        Self { peak: self.peak + bits, reach: self.reach + bits }
+    }
+
+    /// The extent of products, but for the number of terms.
+    pub fn times(self, other: Self) -> Self {
+        Self { peak: self.peak + other.peak, reach: self.reach + other.reach }
+    }
+
+    /// The extent of either.
+    pub fn or(self, other: Self) -> Self {
+        Self { peak: self.peak.max(other.peak), reach: self.reach.max(other.reach) }
+    }
+}
+
+impl Transformed {
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    pub fn extent(&self) -> Extent {
+        self.extent
+    }
+
+    /// Every coefficient times a small number.
+    pub fn times(&self, shop: &Workshop, factor: u32) -> Self {
+        let mut product = self.clone();
+        for (row, prime) in product.values.chunks_mut(self.size).zip(&shop.primes) {
+            let factor = prime.form(i64::from(factor));
+            row.iter_mut().for_each(|value| *value = prime.mul(*value, factor));
+        }
+        product.extent = product.extent.plus(32 - factor.leading_zeros());
+        product
+    }
+}
+
+/// A sum of products before it is transformed back.
+#[derive(Clone)]
+pub(crate) struct Sum {
+    size: usize,
+    count: usize,
+    extent: Extent,
+    values: Vec<u64>,
+}
+
+/// A group of products with one integer weight.
+pub(crate) type Group<'t> = (i64, Vec<(&'t Transformed, &'t Transformed)>);
+
+impl Workshop {
+    /// For multiples of `2^-bits`, `bits >= 64`, of absolute value below `2^head`.
+    pub fn new(bits: u32, head: u32, decay: (usize, usize)) -> Self {
+        let width = (bits + head) as usize / 64 + 1;
+        let primes = primes(primes_for(2 * (bits + head) + 96));
+        let radices = primes.iter().map(|&prime| Radix::new(prime, width)).collect();
+        Self {
+            bits,
+            width,
+            decay,
+            primes,
+            radices,
+            roots: Mutex::default(),
+            levels: Mutex::default(),
+            overflow: AtomicBool::new(false),
+        }
+    }
+
+    /// Whether a sum may have been too large for its words: then nothing that followed counts.
+    pub fn overflowed(&self) -> bool {
+        self.overflow.load(Ordering::Relaxed)
+    }
+
+    /// The bits after the point.
+    pub fn bits(&self) -> u32 {
+        self.bits
+    }
+
+    /// The words of a coefficient.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Bits by which coefficient `j` is expected below the first: at most down to the noise of rounding.
+    ///
+    /// `fall(i) + fall(j) + 1 >= fall(i + j)`, so that products inherit it.
+    fn fall(&self, j: usize) -> u32 {
+        ((j * self.decay.0 / self.decay.1) as u32).min(self.bits - 40)
+    }
+
+    fn extent(&self, series: &Fixed) -> Extent {
+        let place = |j: usize| {
+            let bits = bits_of(series.words(j));
+            Extent { peak: bits, reach: bits + self.fall(j) }
+        };
+        (0..series.len()).map(place).fold(Extent::default(), Extent::or)
+    }
+
+    fn roots(&self, size: usize) -> Arc<Vec<Roots>> {
+        let mut roots = self.roots.lock().unwrap_or_else(PoisonError::into_inner);
+        let make = || Arc::new(self.primes.par_iter().map(|&prime| Roots::new(prime, size)).collect());
+        Arc::clone(roots.entry(size).or_insert_with(make))
+    }
+
+    fn level(&self, count: usize, shift: u32) -> Arc<Level> {
+        let mut levels = self.levels.lock().unwrap_or_else(PoisonError::into_inner);
+        let make = || Arc::new(Level::new(&self.primes[..count], shift));
+        Arc::clone(levels.entry((count, shift)).or_insert_with(make))
+    }
+
+    /// Transforms a series of at most `size` terms modulo the first `count` primes.
+    pub fn transform(&self, series: &Fixed, size: usize, count: usize) -> Transformed {
+        assert!(series.len() <= size && count <= self.primes.len(), "a transform too small for its series");
+        let roots = self.roots(size);
+        let mut values = vec![0; size * count];
+        let fill = |(i, row): (usize, &mut [u64])| {
+            for (j, value) in row.iter_mut().enumerate().take(series.len()) {
+                *value = self.radices[i].residue(series.words(j));
+            }
+            roots[i].forward(row);
+        };
+        if count * size * (self.width + 10) > WORTH_SPLITTING {
+            values.par_chunks_mut(size).enumerate().for_each(fill);
+        } else {
+            values.chunks_mut(size).enumerate().for_each(fill);
+        }
+        Transformed { size, count, len: series.len(), extent: self.extent(series), values }
+    }
+
+    /// The sum of products, each with its weight, modulo as many primes as its size needs.
+    pub fn sum(&self, terms: &[(i64, &Transformed, &Transformed)]) -> Sum {
+        let groups: Vec<Group> = terms.iter().map(|&(weight, a, b)| (weight, vec![(a, b)])).collect();
+        self.sum_of_groups(&groups, terms[0].1.size, Extent::default())
+    }
+
+    /// The sum of groups of products, modulo as many primes as the extent given needs, or more.
+    pub fn sum_of_groups(&self, groups: &[Group], size: usize, extent: Extent) -> Sum {
+        let products =
+            || groups.iter().flat_map(|(weight, pairs)| pairs.iter().map(move |pair| (weight, pair)));
+        let most =
+            products().map(|(weight, (a, b))| extent_of(*weight, a, b)).fold(Extent::default(), Extent::or);
+        let needed = most.plus(products().count().max(1).ilog2() + 2);
+        let count = primes_for(extent.bits().min(capacity(self.primes.len())).max(needed.bits()));
+        debug_assert!(products().all(|(_, (a, b))| a.size == size && b.size == size));
+        let known = products().map(|(_, (a, b))| a.count.min(b.count)).min().unwrap_or(count);
+        if known < count {
+            self.overflow.store(true, Ordering::Relaxed);
+        }
+        let count = count.min(known);
+        let mut values = vec![0; size * count];
+        let fill = |(i, row): (usize, &mut [u64])| self.add_groups(i, size, groups, row);
+        if products().count() * size * count > WORTH_SPLITTING {
+            values.par_chunks_mut(size).enumerate().for_each(fill);
+        } else {
+            values.chunks_mut(size).enumerate().for_each(fill);
+        }
+        Sum { size, count, extent: needed, values }
+    }
+
+    /// Adds products to a sum, if it has the primes for them.
+    pub fn add(&self, sum: &mut Sum, terms: &[(i64, &Transformed, &Transformed)]) -> Option<()> {
+        let groups: Vec<Group> = terms.iter().map(|&(weight, a, b)| (weight, vec![(a, b)])).collect();
+        let most =
+            terms.iter().map(|&(weight, a, b)| extent_of(weight, a, b)).fold(Extent::default(), Extent::or);
+        sum.extent = sum.extent.or(most.plus(terms.len().ilog2() + 1)).plus(1);
+        if primes_for(sum.extent.bits()) > sum.count {
+            return None;
+        }
+        let size = sum.size;
+        sum.values.chunks_mut(size).enumerate().for_each(|(i, row)| self.add_groups(i, size, &groups, row));
+        Some(())
+    }
+
+    fn add_groups(&self, i: usize, size: usize, groups: &[Group], row: &mut [u64]) {
+        let prime = &self.primes[i];
+        for (weight, pairs) in groups {
+            // Two reductions below divide by 2^64 each, the multiplication by the weight once more.
+            let weight = prime.mul(prime.mul(prime.form(*weight), prime.square()), prime.square());
+            for (start, row) in (i * size..).step_by(BLOCK).zip(row.chunks_mut(BLOCK)) {
+                let mut total = [0u128; BLOCK];
+                for pairs in pairs.chunks(LAZY) {
+                    let mut sum = [0u128; BLOCK];
+                    for (a, b) in pairs {
+                        let (a, b) =
+                            (&a.values[start..start + row.len()], &b.values[start..start + row.len()]);
+                        for ((s, &x), &y) in sum.iter_mut().zip(a).zip(b) {
+                            *s += u128::from(x) * u128::from(y);
+                        }
+                    }
+                    for (t, s) in total.iter_mut().zip(&sum).take(row.len()) {
+                        *t += u128::from(prime.reduce(*s));
+                    }
+                }
+                for (value, t) in row.iter_mut().zip(&total) {
+                    *value = prime.add(*value, prime.mul(prime.reduced(*t), weight));
+                }
+            }
+        }
+    }
+
+    /// Transforms back and returns the first `len` coefficients divided by `2^shift`, `shift >= 64`.
+    ///
+    /// Each has an error of at most 1/2 and `2^-20` of its unit.
+    pub fn settle(&self, mut sum: Sum, len: usize, shift: u32) -> Fixed {
+        let (size, count) = (sum.size, sum.count);
+        if sum.extent.bits() > shift + 64 * self.width as u32 - 2 {
+            self.overflow.store(true, Ordering::Relaxed);
+        }
+        let roots = self.roots(size);
+        let back = |(i, row): (usize, &mut [u64])| roots[i].backward(row);
+        let costly = count * size * (count + 10) > WORTH_SPLITTING;
+        if costly {
+            sum.values.par_chunks_mut(size).enumerate().for_each(back);
+        } else {
+            sum.values.chunks_mut(size).enumerate().for_each(back);
+        }
+        let step = count.div_ceil(LEVELS);
+        let needed = |j: usize| {
+            let bits = sum.extent.reach.saturating_sub(self.fall(j)).min(sum.extent.peak);
+            let exact = primes_for(bits.max(shift));
+            exact.next_multiple_of(step).min(count)
+        };
+        let mut words = vec![0; len * self.width];
+        let block = 32;
+        let write = |(chunk, words): (usize, &mut [u64])| {
+            let mut scratch = Vec::new();
+            let mut level = None;
+            for (k, out) in words.chunks_mut(self.width).enumerate() {
+                let j = chunk * block + k;
+                let count = needed(j);
+                let (_, level) = match level.take() {
+                    Some((known, kept)) if known == count => level.insert((known, kept)),
+                    _ => level.insert((count, self.level(count, shift))),
+                };
+                level.write(&self.primes, |i| sum.values[i * size + j], &mut scratch, out);
+            }
+        };
+        if costly {
+            words.par_chunks_mut(self.width * block).enumerate().for_each(write);
+        } else {
+            words.chunks_mut(self.width * block).enumerate().for_each(write);
+        }
+        Fixed::from_words(words, self.width)
+    }
+
+    /// The first `len` coefficients of the product, in units of the factors.
+    ///
+    /// Digits of a factor that the smallness of the other makes worthless are left away first.
+    pub fn product(&self, a: &Fixed, b: &Fixed, len: usize) -> Fixed {
+        let (a, b) = (a.truncated(len), b.truncated(len));
+        let spare = |other: &Fixed| self.bits.saturating_sub(other.bits() + 16);
+        let (drop_a, drop_b) = (spare(&b), spare(&a));
+        let (drop_a, drop_b) =
+            if drop_a + drop_b + 64 > self.bits || drop_a + drop_b < 64 { (0, 0) } else { (drop_a, drop_b) };
+        let dropped = |x: Fixed, bits: u32| if bits > 0 { x.shifted_right(bits) } else { x };
+        let (a, b) = (dropped(a, drop_a), dropped(b, drop_b));
+        let size = size_for((a.len() + b.len()).min(2 * len).max(2) - 1);
+        let terms = a.len().min(b.len()).max(1);
+        let extent = self.extent(&a).times(self.extent(&b)).plus(terms.ilog2() + 8);
+        let count = primes_for(extent.bits()).min(self.primes.len());
+        let (a, b) = (self.transform(&a, size, count), self.transform(&b, size, count));
+        self.settle(self.sum(&[(1, &a, &b)]), len.min(size), self.bits - drop_a - drop_b)
+    }
+
+    /// Primes that suffice for a product of any two series of this precision.
+    pub fn all_primes(&self) -> usize {
+        self.primes.len()
+    }
+}
+
+/// The extent of a weighted product.
+fn extent_of(weight: i64, a: &Transformed, b: &Transformed) -> Extent {
+    let terms = a.len.min(b.len).max(1);
+    a.extent.times(b.extent).plus(64 - weight.unsigned_abs().leading_zeros() + terms.ilog2() + 2)
+}
+
+/// Bits of the absolute value, at most one too many.
+fn bits_of(words: &[u64]) -> u32 {
+    super::fixed::significant_bits(words)
+}
