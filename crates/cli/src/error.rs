@@ -88,7 +88,9 @@ impl From<SeriesError> for CliError {
 impl From<ClosedError> for CliError {
     fn from(error: ClosedError) -> Self {
         match error {
-            ClosedError::BeyondBeta { .. } => Self::usage(error),
+            ClosedError::BeyondBeta { .. }
+            | ClosedError::BeyondAlgebra { .. }
+            | ClosedError::TooManyTerms { .. } => Self::usage(error),
             _ => Self::failure(error),
         }
     }

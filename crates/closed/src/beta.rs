@@ -111,3 +111,98 @@ fn shift(p: i64, q: i64, steps: i64, bits: u32) -> Ball {
     let ball = |n: Integer| Ball::from_big_integer(&n, bits);
     ball(product(2 * p, 2 * q, 0, steps)) / ball(product(2 * p + 3 * q, 2 * q, 0, steps))
 }
+
+#[cfg(test)]
+mod tests {
+    use rug::Rational;
+
+    /// `Z (4n+1)(4n+3)/2` of `docs/closed-forms.md`, section 6.
+    fn certificate(n: &Rational, k: &Rational, s: &Rational) -> Rational {
+        let terms: [(i32, [i32; 3]); 43] = [
+            (4, [4, 1, 0]),
+            (3, [4, 0, 0]),
+            (44, [3, 2, 0]),
+            (12, [3, 1, 1]),
+            (50, [3, 1, 0]),
+            (8, [3, 0, 1]),
+            (13, [3, 0, 0]),
+            (184, [2, 3, 0]),
+            (96, [2, 2, 1]),
+            (283, [2, 2, 0]),
+            (8, [2, 1, 2]),
+            (104, [2, 1, 1]),
+            (136, [2, 1, 0]),
+            (5, [2, 0, 2]),
+            (26, [2, 0, 1]),
+            (20, [2, 0, 0]),
+            (336, [1, 4, 0]),
+            (256, [1, 3, 1]),
+            (652, [1, 3, 0]),
+            (48, [1, 2, 2]),
+            (384, [1, 2, 1]),
+            (447, [1, 2, 0]),
+            (52, [1, 1, 2]),
+            (180, [1, 1, 1]),
+            (126, [1, 1, 0]),
+            (13, [1, 0, 2]),
+            (26, [1, 0, 1]),
+            (12, [1, 0, 0]),
+            (224, [0, 5, 0]),
+            (224, [0, 4, 1]),
+            (528, [0, 4, 0]),
+            (64, [0, 3, 2]),
+            (432, [0, 3, 1]),
+            (474, [0, 3, 0]),
+            (96, [0, 2, 2]),
+            (298, [0, 2, 1]),
+            (201, [0, 2, 0]),
+            (44, [0, 1, 2]),
+            (87, [0, 1, 1]),
+            (40, [0, 1, 0]),
+            (6, [0, 0, 2]),
+            (9, [0, 0, 1]),
+            (3, [0, 0, 0]),
+        ];
+        let power = |x: &Rational, n: i32| (0..n).fold(Rational::from(1), |product, _| product * x);
+        terms.iter().map(|(c, [i, j, l])| power(k, *i) * power(n, *j) * power(s, *l) * *c).sum()
+    }
+
+    #[test]
+    fn the_series_has_a_certificate() {
+        let r = |n: i32, d: i32| Rational::from((n, d));
+        // More points than the degrees of the identity in n, k and s ask for: it holds for all.
+        for (i, j, l) in (0..12).flat_map(|i| (0..9).flat_map(move |j| (0..9).map(move |l| (i, j, l)))) {
+            let (n, k, s) = (r(i, 1), r(j, 1), r(3 * l + 1, 7));
+            let sum = |parts: &[(&Rational, i32)], c: Rational| {
+                parts.iter().fold(c, |sum, (x, m)| sum + Rational::from(*x * *m))
+            };
+            let at = |a: i32, b: i32, g: i32, c: Rational| sum(&[(&s, a), (&n, b), (&k, g)], c);
+            let next_n = at(1, 1, 1, r(0, 1))
+                * at(0, 2, 1, r(1, 2))
+                * at(0, 2, 1, r(3, 2))
+                * at(0, 2, 0, r(1, 1))
+                * at(0, 2, 0, r(2, 1))
+                * at(1, 1, 0, r(1, 2))
+                * at(1, -1, 0, r(-1, 1))
+                / (at(1, 3, 1, r(1, 1))
+                    * at(1, 3, 1, r(2, 1))
+                    * at(1, 3, 1, r(3, 1))
+                    * at(0, 2, 1, r(1, 1))
+                    * at(0, 2, 1, r(2, 1))
+                    * at(0, 2, 0, r(1, 2))
+                    * at(0, 2, 0, r(3, 2)));
+            let next_k =
+                at(1, 1, 1, r(0, 1)) * at(0, 2, 1, r(1, 2)) / (at(1, 3, 1, r(1, 1)) * at(0, 2, 1, r(1, 1)));
+            let g = |k: &Rational| {
+                let below = sum(&[(&s, 1), (&n, 3), (k, 1)], r(1, 1))
+                    * sum(&[(&s, 1), (&n, 3), (k, 1)], r(2, 1))
+                    * sum(&[(&n, 2), (k, 1)], r(1, 1))
+                    * at(0, 4, 0, r(1, 1))
+                    * at(0, 4, 0, r(3, 1));
+                certificate(&n, k, &s) * 2 / below
+            };
+            let after = g(&Rational::from(&k + 1));
+            assert_eq!(Rational::from(1) - next_n, g(&k) - next_k * after, "{n} {k} {s}");
+        }
+    }
+}

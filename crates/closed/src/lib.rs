@@ -5,14 +5,22 @@
 //! `docs/closed-forms.md`. The crate shares no formula with the engine of `restitution-series` but the exact
 //! factor between the two ends of contact, so that each can test the other.
 
+mod algebra;
 mod beta;
+mod closed_form;
 mod decimal;
 mod error;
+mod iterated;
+mod language;
 mod low_orders;
 mod root;
 mod splitting;
 
+pub use algebra::Reduction;
 pub use beta::beta;
+pub use closed_form::{Base, ClosedForm, Constant, LARGEST_ORDER, Term, closed_form};
 pub use decimal::{Certified, certified};
 pub use error::ClosedError;
+pub use iterated::iterated_beta;
+pub use language::Language;
 pub use low_orders::{Family, LARGEST_BETA_ORDER, low_orders, memory_estimate};

@@ -14,6 +14,7 @@
 //! 4. Tests in `crates/cli/tests/it/`, with one wrong input of each kind, and a line in the README.
 
 pub mod audit;
+pub mod closed_form;
 pub mod completions;
 pub mod epsilon;
 pub mod export;
@@ -43,6 +44,8 @@ pub struct Cli {
 pub enum Command {
     /// Print the coefficients of the expansions in u, with proved digits
     Table(table::TableArgs),
+    /// Print a coefficient as a closed form in Beta values and iterated Beta integrals
+    ClosedForm(closed_form::ClosedFormArgs),
     /// Print the trajectory as exact power series in time
     Trajectory(trajectory::TrajectoryArgs),
     /// Print coefficients of restitution by certified direct integration
@@ -84,6 +87,7 @@ impl Command {
     fn run(&self) -> Result<(), CliError> {
         match self {
             Self::Table(args) => args.run(),
+            Self::ClosedForm(args) => args.run(),
             Self::Trajectory(args) => args.run(),
             Self::Epsilon(args) => args.run(),
             Self::Export(args) => args.run(),

@@ -183,3 +183,28 @@ fn values_are_as_long_as_asked_in_every_format() {
         assert_eq!(digits, Some(69_999), "{format}");
     }
 }
+
+#[test]
+fn closed_forms_give_the_digits_of_the_table() {
+    for (order, value) in
+        [(3, "0.34072902713580812231"), (5, "0.11416870530319278960"), (6, "0.066531829882492741785")]
+    {
+        for format in ["text", "json", "latex"] {
+            let text = succeed(&format!("closed-form --order {order} --format {format}"));
+            assert!(text.contains(value), "{text}");
+        }
+    }
+    let text = succeed("closed-form --order 3");
+    assert!(text.starts_with("a_3 = 7/25 + 575/1452 B(9/5, 3/2)/B(3/5, 3/2)^3\n"), "{text}");
+    for (line, remedy) in [
+        ("closed-form --order 13", "lower --order"),
+        ("closed-form --order 0", "give one from 1"),
+        ("closed-form", "--order"),
+        ("closed-form --order 4 --law -1,0", "give A > 0"),
+        ("closed-form --order 4 --quantity h --law 1,2", "A > GAMMA"),
+        ("closed-form --order 4 --digits 100000000", "give one from 1 to 1000000"),
+    ] {
+        let (_, message) = fail(line);
+        assert!(message.contains(remedy), "{line}: {message}");
+    }
+}
