@@ -8,6 +8,7 @@ mod elementwise;
 mod errors;
 mod fitting;
 mod quantities;
+mod rational;
 mod theory;
 mod work;
 
@@ -24,6 +25,8 @@ mod _core {
     use crate::fitting::{Fit, compare, fit};
     #[pymodule_export]
     use crate::quantities::quantity;
+    #[pymodule_export]
+    use crate::rational::{closed_form, pade};
     #[pymodule_export]
     use crate::theory::{coefficients, epsilon_digits, psi, saturation, trajectory};
 }

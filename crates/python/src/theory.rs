@@ -11,13 +11,15 @@ use restitution_real::Ball;
 use restitution_series::{DelayedRecovery, Quantity, SeriesError, Trajectories, coefficients_watched};
 
 /// A value with its proved digits, and how far the true value is from them at most.
-type Certified = (String, String);
+pub type Certified = (String, String);
 
-fn law(text: &str) -> PyResult<ForceLaw> {
+/// The law that a text names.
+pub fn law(text: &str) -> PyResult<ForceLaw> {
     text.parse().map_err(value)
 }
 
-fn certified(ball: &Ball, digits: usize) -> PyResult<Certified> {
+/// The digits asked for, and their radius.
+pub fn certified(ball: &Ball, digits: usize) -> PyResult<Certified> {
     let shown = ball.to_digits_and_radius(digits);
     shown.ok_or_else(|| value(format!("{digits} digits could not be proved: ask for fewer")))
 }

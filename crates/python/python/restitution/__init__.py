@@ -25,13 +25,26 @@ certified. Wrong arguments raise ValueError with a sentence that names the remed
 from ._core import duration, epsilon, largest_compression, loss, turning_time, u_of_epsilon
 from ._curve import Restitution
 from ._fit import Fit, LawFit, compare, fit
-from ._theory import Certified, coefficients, epsilon_digits, saturation, trajectory
+from ._theory import (
+    Approximant,
+    Certified,
+    ClosedForm,
+    closed_form,
+    coefficients,
+    epsilon_digits,
+    pade,
+    saturation,
+    trajectory,
+)
 
 __all__ = [
+    "Approximant",
     "Certified",
+    "ClosedForm",
     "Fit",
     "LawFit",
     "Restitution",
+    "closed_form",
     "coefficients",
     "compare",
     "duration",
@@ -40,6 +53,7 @@ __all__ = [
     "fit",
     "largest_compression",
     "loss",
+    "pade",
     "saturation",
     "trajectory",
     "turning_time",

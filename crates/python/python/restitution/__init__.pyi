@@ -169,4 +169,34 @@ def epsilon_digits(
 ) -> Certified: ...
 def saturation(digits: SupportsIndex = ..., law: Law = ...) -> tuple[Certified, Certified]: ...
 
+class Approximant:
+    num: list[Certified]
+    den: list[Certified]
+    variable: str
+    @overload
+    def __call__(self, x: float) -> float: ...
+    @overload
+    def __call__(self, x: Floats) -> Floats: ...
+    def sympy(self, symbol: Any = ...) -> Any: ...
+
+def pade(
+    numerator: SupportsIndex,
+    denominator: SupportsIndex,
+    *,
+    variable: Literal["u", "s", "sqrt-u"] = ...,
+    digits: SupportsIndex = ...,
+    law: Law = ...,
+) -> Approximant: ...
+
+class ClosedForm:
+    text: str
+    latex: str
+    python: str
+    value: Certified
+    def sympy(self) -> Any: ...
+
+def closed_form(
+    quantity: Literal["C", "a", "h"], order: SupportsIndex, digits: SupportsIndex = ..., law: Law = ...
+) -> ClosedForm: ...
+
 __all__: Sequence[str]

@@ -1,6 +1,7 @@
 """Exact and certified numbers."""
 
 import math
+import re
 from decimal import Decimal
 from fractions import Fraction
 
@@ -262,3 +263,134 @@ def saturation(digits=30, law=_SPHERES):
     """
     radius, speed = _core.saturation(_count(digits, "a number of digits", 1), _law(law))
     return Certified(*radius), Certified(*speed)
+
+
+class Approximant:
+    """A Padé approximant: `num` and `den` are lists of Certified, by powers of `variable`; den[0] is 1.
+
+    >>> p = pade(1, 4, digits=12)
+    >>> round(p(1.0), 4)
+    0.3309
+    """
+
+    __slots__ = ("den", "num", "variable")
+
+    def __init__(self, num, den, variable):
+        self.num, self.den, self.variable = num, den, variable
+
+    def __call__(self, x):
+        """The quotient at a number or an array, in its own arithmetic from float64 constants."""
+
+        def value(part):
+            total = 0.0
+            for c in reversed(part):
+                total = total * x + float(c)
+            return total
+
+        return value(self.num) / value(self.den)
+
+    def sympy(self, symbol=None):
+        """The quotient as an expression of sympy, with its digits."""
+        import sympy
+
+        x = sympy.Symbol(self.variable.replace("-", "_")) if symbol is None else symbol
+
+        def value(part):
+            return sum(sympy.Float(str(c), len(str(c)) + 2) * x**k for k, c in enumerate(part))
+
+        return value(self.num) / value(self.den)
+
+    def _repr_latex_(self):
+        x = {"sqrt-u": "\\sqrt{u}"}.get(self.variable, self.variable)
+
+        def value(part):
+            terms = (f"{c} {x}^{{{k}}}" if k else str(c) for k, c in enumerate(part))
+            return " + ".join(terms)
+
+        return f"$\\frac{{{value(self.num)}}}{{{value(self.den)}}}$"
+
+    def __repr__(self):
+        num, den = ([str(c) for c in part] for part in (self.num, self.den))
+        return f"Approximant(num={num}, den={den}, variable={self.variable!r})"
+
+
+def pade(numerator, denominator, *, variable="u", digits=17, law=_SPHERES):
+    """The Padé approximant of the coefficient of restitution, its constants certified.
+
+    Parameters
+    ----------
+    numerator, denominator : int
+        The degrees L and M.
+    variable : {"u", "s", "sqrt-u"}
+        u and s = -C_1 u for the contact that ends at zero compression; sqrt-u for the one that ends at zero force
+        (the [3/6] in it is the formula of Mueller and Poeschel 2011).
+    digits : int
+        Proved digits of each constant.
+
+    Examples
+    --------
+    >>> [str(c) for c in pade(3, 6, variable="sqrt-u", digits=6).num]
+    ['1.00000', '1.07232', '0.574198', '0.141552']
+    >>> pade(1, 4, variable="x")
+    Traceback (most recent call last):
+    ValueError: 'x' is no variable: give 's', 'u' or 'sqrt-u'
+    """
+    degrees = _count(numerator, "a degree", 0), _count(denominator, "a degree", 0)
+    parts = _core.pade(*degrees, variable, _count(digits, "a number of digits", 1), _law(law))
+    num, den = ([Certified(*pair) for pair in part] for part in parts)
+    return Approximant(num, den, variable)
+
+
+class ClosedForm:
+    """A coefficient in closed form: `text`, `latex`, `python` (mpmath) and its certified `value`."""
+
+    __slots__ = ("_sympy", "latex", "python", "text", "value")
+
+    def __init__(self, text, latex, python, sympy, value):
+        self.text, self.latex, self.python, self._sympy, self.value = text, latex, python, sympy, value
+
+    def sympy(self):
+        """The expression of sympy; an iterated Beta integral stands as a symbol such as M_3_5__9_5__3_5.
+
+        >>> import sympy
+        >>> form = closed_form("a", 3)
+        >>> abs(sympy.N(form.sympy(), 20) - sympy.Float(str(form.value), 20)) < 1e-18
+        True
+        """
+        import sympy
+
+        names = {name: getattr(sympy, name) for name in ("Rational", "beta")}
+        names.update({name: sympy.Symbol(name, positive=True) for name in re.findall(r"M_\w+", self._sympy)})
+        return sympy.sympify(eval(self._sympy, {"__builtins__": {}}, names))  # the library's own text
+
+    def _repr_latex_(self):
+        return f"${self.latex}$"
+
+    def __str__(self):
+        return self.text
+
+    def __repr__(self):
+        return f"ClosedForm({self.text!r})"
+
+
+def closed_form(quantity, order, digits=30, law=_SPHERES):
+    """A coefficient of the expansion in closed form, in Beta values and, from order 5 on, iterated Beta integrals.
+
+    Parameters
+    ----------
+    quantity : {"a", "C", "h"}
+    order : int
+
+    Examples
+    --------
+    >>> print(closed_form("a", 3))
+    7/25 + 575/1452 B(9/5, 3/2)/B(3/5, 3/2)^3
+    >>> closed_form("a", 3, digits=12).value
+    Certified('0.340729027136')
+    >>> closed_form("y", 3)
+    Traceback (most recent call last):
+    ValueError: 'y' has no closed form here: give 'C', 'a' or 'h'
+    """
+    order, digits = _count(order, "an order", 0), _count(digits, "a number of digits", 1)
+    *forms, value = _core.closed_form(quantity, order, digits, _law(law))
+    return ClosedForm(*forms, Certified(*value))
