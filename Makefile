@@ -3,7 +3,7 @@ CARGO ?= cargo
 .DEFAULT_GOAL := help
 SIZE ?= minutes
 SEED ?= 1
-.PHONY: help table tables test test-python test-page attack test-tools tools fmt clippy doc bench bench-peers mutants clean
+.PHONY: help table tables test test-python test-page attack test-tools tools fmt clippy doc bench bench-peers mutants rooms clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -88,6 +88,9 @@ PACKAGE ?= restitution-real
 mutants: tools ## break the code that rounds on purpose, a line at a time: which breaks do its own tests miss? (an hour; PACKAGE=restitution-pade)
 	@command -v cargo-mutants >/dev/null || $(CARGO) install cargo-mutants --locked
 	$(CARGO) mutants --package $(PACKAGE) --timeout 120
+
+rooms: ## draw the crates and their arrows into docs/architecture.md
+	python3 scripts/rooms.py
 
 clean: ## remove what was built
 	$(CARGO) clean

@@ -18,6 +18,7 @@ mod f64_corners;
 mod fast_vs_direct;
 mod fit;
 mod hard_cases;
+mod house;
 mod identities;
 mod interpolant;
 mod laws;

@@ -56,6 +56,8 @@ pub enum MaterialError {
     TimeStepRange {
         /// The damping parameter `u`.
         u: f64,
+        /// The largest `u` of that range.
+        largest: f64,
     },
 }
 
@@ -92,10 +94,9 @@ impl fmt::Display for MaterialError {
                 };
                 write!(f, "{code} does not end a contact at {asked}: ask for {other}")
             }
-            Self::TimeStepRange { u } => write!(
+            Self::TimeStepRange { u, largest } => write!(
                 f,
-                "the error of a time step was measured up to u = {} and dt = tau/10 only, and u is {u:?}: take a smaller step or velocity",
-                crate::time_step::LARGEST_U
+                "the error of a time step was measured up to u = {largest} and dt = tau/10 only, and u is {u:?}: take a smaller step or velocity"
             ),
         }
     }

@@ -46,7 +46,7 @@ const GROWTH: f64 = 0.07;
 pub fn time_step_error(u: f64, step: f64) -> Result<f64, MaterialError> {
     let growth = error_per_step(u)?;
     if positive("time step", step)? > LARGEST_STEP {
-        return Err(MaterialError::TimeStepRange { u });
+        return Err(MaterialError::TimeStepRange { u, largest: LARGEST_U });
     }
     Ok(growth * step)
 }
@@ -66,7 +66,7 @@ pub fn time_step_for(u: f64, error: f64) -> Result<f64, MaterialError> {
 
 fn error_per_step(u: f64) -> Result<f64, MaterialError> {
     if !(0.0..=LARGEST_U).contains(&u) {
-        return Err(MaterialError::TimeStepRange { u });
+        return Err(MaterialError::TimeStepRange { u, largest: LARGEST_U });
     }
     Ok(FLOOR + GROWTH * u.min(1.0))
 }

@@ -1,0 +1,166 @@
+//! The house as it stands: rooms and arrows, no import circle, no file too long to be one thing.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The most lines of a source file that is no table.
+const LONGEST: usize = 400;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+#[test]
+fn the_picture_of_the_rooms_is_that_of_the_code() {
+    let check = Command::new("python3").arg(root().join("scripts/rooms.py")).arg("--check").output();
+    let check = check.expect("python3 runs");
+    assert!(check.status.success(), "{}", String::from_utf8_lossy(&check.stderr));
+}
+
+/// The sources of each crate, by the path of their module.
+fn modules(source: &Path) -> BTreeMap<String, String> {
+    let mut found = BTreeMap::new();
+    let mut folders = vec![source.to_owned()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).expect("a folder of sources") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                let text = fs::read_to_string(&path).expect("a source");
+                let text = text.split("#[cfg(test)]").next().unwrap_or_default().to_owned();
+                found.insert(module(&path, source), text);
+            }
+        }
+    }
+    found
+}
+
+fn module(path: &Path, source: &Path) -> String {
+    let inside = path.strip_prefix(source).expect("inside the crate").with_extension("");
+    let mut parts = inside.iter().map(|part| part.to_string_lossy().into_owned()).collect::<Vec<_>>();
+    if parts.last().is_some_and(|last| ["mod", "lib", "main"].contains(&last.as_str())) {
+        parts.pop();
+    }
+    parts.join("::")
+}
+
+/// The modules of the crate that a module takes names from: `use crate::a::b`, `use super::a`, and paths written out.
+fn taken(name: &str, text: &str, all: &BTreeMap<String, String>) -> BTreeSet<String> {
+    let parts = name.split("::").filter(|part| !part.is_empty()).collect::<Vec<_>>();
+    let mut found = BTreeSet::new();
+    for line in text.lines().filter(|line| !line.trim_start().starts_with("//")) {
+        let starts = line.match_indices("crate::").map(|(at, _)| (Vec::new(), &line[at + "crate::".len()..]));
+        let above = parts[..parts.len().saturating_sub(1)].to_vec();
+        let supers = line.match_indices("super::").filter(|(at, _)| !line[..*at].ends_with("super::"));
+        let supers = supers.map(|(at, _)| {
+            let (mut from, mut rest) = (above.clone(), &line[at + "super::".len()..]);
+            while let Some(next) = rest.strip_prefix("super::") {
+                from.pop();
+                rest = next;
+            }
+            (from, rest)
+        });
+        for (from, rest) in starts.chain(supers) {
+            let words = rest.split("::").map(|word| {
+                word.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>()
+            });
+            let path = from.iter().map(|part| (*part).to_owned()).chain(words).collect::<Vec<_>>();
+            let longest =
+                (1..=path.len()).rev().map(|n| path[..n].join("::")).find(|path| all.contains_key(path));
+            found.extend(longest.filter(|taken| taken != name));
+        }
+    }
+    found
+}
+
+/// A circle that a depth-first walk meets, if there is one.
+fn circle(arrows: &BTreeMap<String, BTreeSet<String>>) -> Option<Vec<String>> {
+    fn walk(
+        at: &str,
+        arrows: &BTreeMap<String, BTreeSet<String>>,
+        way: &mut Vec<String>,
+        done: &mut BTreeSet<String>,
+    ) -> Option<Vec<String>> {
+        if let Some(start) = way.iter().position(|known| known == at) {
+            return Some(way[start..].to_vec());
+        }
+        if !done.contains(at) {
+            way.push(at.to_owned());
+            for next in &arrows[at] {
+                let found = walk(next, arrows, way, done);
+                if found.is_some() {
+                    return found;
+                }
+            }
+            way.pop();
+            done.insert(at.to_owned());
+        }
+        None
+    }
+    let mut done = BTreeSet::new();
+    arrows.keys().find_map(|start| walk(start, arrows, &mut Vec::new(), &mut done))
+}
+
+fn crates() -> Vec<PathBuf> {
+    let folders = fs::read_dir(root().join("crates")).expect("the crates");
+    folders.map(|entry| entry.expect("a crate").path()).filter(|path| path.join("src").is_dir()).collect()
+}
+
+#[test]
+fn no_module_imports_in_a_circle() {
+    let mut circles = Vec::new();
+    for folder in crates() {
+        let modules = modules(&folder.join("src"));
+        let arrows = modules.iter().map(|(name, text)| (name.clone(), taken(name, text, &modules)));
+        if let Some(circle) = circle(&arrows.collect()) {
+            circles.push(format!("{}: {}", folder.display(), circle.join(" -> ")));
+        }
+    }
+    assert!(circles.is_empty(), "modules that import each other:\n{}", circles.join("\n"));
+}
+
+#[test]
+fn circles_are_found() {
+    let arrows = |pairs: &[(&str, &[&str])]| {
+        let arrow = |(from, to): &(&str, &[&str])| {
+            ((*from).to_owned(), to.iter().map(|to| (*to).to_owned()).collect::<BTreeSet<_>>())
+        };
+        pairs.iter().map(arrow).collect::<BTreeMap<_, _>>()
+    };
+    assert_eq!(circle(&arrows(&[("a", &["b", "c"]), ("b", &["c"]), ("c", &[])])), None);
+    let found = circle(&arrows(&[("a", &["b"]), ("b", &["c"]), ("c", &["b"])]));
+    assert_eq!(found, Some(vec!["b".to_owned(), "c".to_owned()]));
+    let sources =
+        [("a", "use crate::b::f;"), ("b", "fn f() { super::a::g() }"), ("c::d", "use super::super::a;")];
+    let all = sources.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
+    assert_eq!(taken("a", sources[0].1, &all), BTreeSet::from(["b".to_owned()]));
+    assert_eq!(taken("b", sources[1].1, &all), BTreeSet::from(["a".to_owned()]));
+    assert_eq!(taken("c::d", sources[2].1, &all), BTreeSet::from(["a".to_owned()]));
+}
+
+#[test]
+fn no_source_is_too_long_to_be_one_thing() {
+    let mut long = Vec::new();
+    for folder in crates() {
+        let mut folders = vec![folder.join("src")];
+        while let Some(folder) = folders.pop() {
+            for entry in fs::read_dir(&folder).expect("a folder of sources") {
+                let path = entry.expect("an entry").path();
+                if path.is_dir() {
+                    if path.file_name().is_none_or(|name| name != "tables") {
+                        folders.push(path);
+                    }
+                } else if path.extension().is_some_and(|extension| extension == "rs") {
+                    let lines = fs::read_to_string(&path).expect("a source").lines().count();
+                    if lines > LONGEST {
+                        long.push(format!("{}: {lines} lines", path.display()));
+                    }
+                }
+            }
+        }
+    }
+    assert!(long.is_empty(), "more than {LONGEST} lines:\n{}", long.join("\n"));
+}
