@@ -12,6 +12,7 @@ mod codes;
 mod dimensional;
 mod direct;
 mod direct_hard;
+mod documents;
 mod evaluator_edges;
 mod export;
 mod f64_corners;
