@@ -106,8 +106,8 @@ impl Collision {
     /// the middle of the interval; the defect of these polynomials, an exact finite sum, bounds the error
     /// of the motion for every damping at once (docs/direct-integration.md, section 10). The remainder
     /// falls by the ratio of the half width to the distance of the next singularity, `u = -R` at zero
-    /// compression, with each degree, down to about `2^(20-prec)`. Cost: some ten to a hundred
-    /// milliseconds at 128 bits and degree 15.
+    /// compression, with each degree. Cost: some tenths of a second at 128 bits and
+    /// degree 15.
     ///
     /// # Errors
     ///
