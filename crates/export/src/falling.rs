@@ -12,8 +12,8 @@
 //! `2^-rest min P' >= 2 E(1)`. At the ends of a piece `c_0 <= p + c_0 <= left` is checked with exact numbers.
 
 use crate::chebyshev::PREC;
-use crate::pieces::rounded_down;
 use rug::Float;
+use rug::float::Round;
 
 const ROUNDING: f64 = f64::EPSILON / 2.0;
 /// What covers the second order of `E`.
@@ -85,6 +85,11 @@ pub(crate) fn falls(row: &[f64], rest: u32) -> Result<(), Flaw> {
     let least_slope = (row[1] + row.iter().enumerate().skip(2).map(turned).sum::<f64>()) / SECOND_ORDER;
     let step = 2.0_f64.powi(-(rest as i32));
     if least_slope * step >= 2.0 * errors(row) { Ok(()) } else { Err(Flaw::Rises) }
+}
+
+/// The nearest f64 that is not larger.
+fn rounded_down(x: &Float) -> f64 {
+    x.to_f64_round(Round::Down)
 }
 
 #[cfg(test)]

@@ -6,7 +6,6 @@ use crate::grid::Grid;
 use crate::target::Law;
 use crate::{ExportError, Reference};
 use rug::Float;
-use rug::float::Round;
 use std::f64::consts::PI;
 
 /// Pieces that are tried before all of them are made.
@@ -387,9 +386,4 @@ fn lowered(shape: &Shape, end: f64, value: Float) -> Float {
 
 fn float(x: f64) -> Float {
     Float::with_val(PREC, x)
-}
-
-/// The nearest f64 that is not larger.
-pub(crate) fn rounded_down(x: &Float) -> f64 {
-    x.to_f64_round(Round::Down)
 }

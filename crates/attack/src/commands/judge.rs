@@ -83,7 +83,7 @@ fn success(
     });
     let text = String::from_utf8_lossy(&outcome.stdout);
     let prints_source =
-        line.first().is_some_and(|word| ["export", "completions"].iter().any(|name| word == name));
+        line.first().is_some_and(|word| ["export", "completions", "page"].iter().any(|name| word == name));
     if !prints_source {
         let interval = text.replace(", inf)", ""); // [0, inf) is a sound set
         let mut words = interval.split(|c: char| !c.is_alphanumeric());

@@ -1,12 +1,9 @@
 //! A block of arguments, form by form.
 
-use super::machine::{Block, Machine};
+use super::machine::{BLOCK, Block, Machine};
 use crate::fifth_root::{Root, is_ordinary};
 use crate::pieces::{Grid, Piece};
 use crate::{End, Restitution, zero_compression, zero_force};
-
-/// Arguments that are looked at together.
-pub(super) const BLOCK: usize = 32;
 
 /// What is asked for.
 #[derive(Clone, Copy, PartialEq)]

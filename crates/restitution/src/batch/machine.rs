@@ -1,9 +1,11 @@
 //! What a processor is asked for: rows of a table, looked up and evaluated side by side.
 
-use super::block::{BLOCK, Batch};
 use crate::fifth_root::ROOTS;
 use crate::pieces::Piece;
 use core::ops::{Deref, DerefMut};
+
+/// How many arguments are looked at together.
+pub(super) const BLOCK: usize = 32;
 
 /// Arguments that are looked at together, where a vector of any width is loaded and stored at once.
 #[derive(Clone, Copy)]
@@ -93,17 +95,5 @@ impl Machine for Compiled {
         for i in 0..BLOCK {
             [root[i], reciprocal[i]] = ROOTS[(index[i] as usize).min(ROOTS.len() - 1)];
         }
-    }
-}
-
-/// Runs a batch with the widest vectors of the processor at hand.
-pub(super) fn run(batch: Batch<'_>) {
-    #[cfg(all(feature = "simd", target_arch = "x86_64"))]
-    {
-        super::x86::run(batch);
-    }
-    #[cfg(not(all(feature = "simd", target_arch = "x86_64")))]
-    {
-        batch.run(Compiled);
     }
 }

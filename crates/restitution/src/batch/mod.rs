@@ -29,7 +29,7 @@ use block::{Batch, Quantity};
 /// assert!(values[4].is_nan());
 /// ```
 pub fn epsilon_batch(u: &[f64], out: &mut [f64], end: End) {
-    run(u, out, &|u, out| machine::run(Batch { u, out, end, quantity: Quantity::Kept, factor: None }));
+    run(u, out, &|u, out| dispatch(Batch { u, out, end, quantity: Quantity::Kept, factor: None }));
 }
 
 /// Writes `1 - epsilon(u)` of each element to `out`, as far as the shorter of the two slices reaches.
@@ -48,7 +48,7 @@ pub fn epsilon_batch(u: &[f64], out: &mut [f64], end: End) {
 /// assert!(lost[3].is_nan());
 /// ```
 pub fn one_minus_epsilon_batch(u: &[f64], out: &mut [f64], end: End) {
-    run(u, out, &|u, out| machine::run(Batch { u, out, end, quantity: Quantity::Lost, factor: None }));
+    run(u, out, &|u, out| dispatch(Batch { u, out, end, quantity: Quantity::Lost, factor: None }));
 }
 
 /// Writes `u_of_epsilon` of each element to `out`, as far as the shorter of the two slices reaches.
@@ -95,7 +95,7 @@ impl Restitution {
 
     fn batch(&self, velocities: &[f64], out: &mut [f64], quantity: Quantity) {
         let (end, factor) = (self.end(), Some(*self));
-        run(velocities, out, &|u, out| machine::run(Batch { u, out, end, quantity, factor }));
+        run(velocities, out, &|u, out| dispatch(Batch { u, out, end, quantity, factor }));
     }
 }
 
@@ -155,5 +155,17 @@ mod tests {
         epsilon_batch(&u, &mut out, End::ZeroForce);
         assert!(u.iter().zip(&out).all(|(u, out)| *out == epsilon(*u, End::ZeroForce)));
         assert_eq!(out[u.len()..], [-1.0; 3]);
+    }
+}
+
+/// Runs a batch with the widest vectors of the processor at hand.
+fn dispatch(batch: Batch<'_>) {
+    #[cfg(all(feature = "simd", target_arch = "x86_64"))]
+    {
+        x86::run(batch);
+    }
+    #[cfg(not(all(feature = "simd", target_arch = "x86_64")))]
+    {
+        batch.run(machine::Compiled);
     }
 }

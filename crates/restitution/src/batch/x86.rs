@@ -1,7 +1,7 @@
 //! Vectors of 256 and 512 bits: rows are loaded whole and transposed in registers.
 
-use super::block::{BLOCK, Batch};
-use super::machine::{Block, Compiled, Machine};
+use super::block::Batch;
+use super::machine::{BLOCK, Block, Compiled, Machine};
 use crate::fifth_root::ROOTS;
 use crate::pieces::{LIFT, Piece, one_minus, polynomial};
 use crate::rounding::Number;
