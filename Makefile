@@ -3,7 +3,7 @@ CARGO ?= cargo
 .DEFAULT_GOAL := help
 SIZE ?= minutes
 SEED ?= 1
-.PHONY: help table tables test test-python test-page attack test-tools tools fmt clippy doc bench bench-peers mutants rooms clean
+.PHONY: help table tables test test-python test-page attack test-tools tools fmt clippy doc bench bench-peers mutants rooms test-codes clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -71,6 +71,16 @@ bench: tools ## measure speed, ours beside what it is compared with
 bench-peers: tools bench/.venv/ready ## measure the series engine against FLINT and PARI/GP in one run
 	$(CARGO) build --release --locked --quiet --package restitution-series --examples
 	bench/.venv/bin/python bench/peers/compare.py
+
+test-codes: tools bench/.venv-codes/ready ## run LAMMPS, REBOUND, and LIGGGHTS and YADE if installed, on the lines we print
+	$(CARGO) build --release --locked --quiet --package restitution-cli
+	bench/.venv-codes/bin/python bench/codes/run.py
+
+bench/.venv-codes/ready: bench/codes/requirements.txt
+	@python3 -c 'import ensurepip' 2>/dev/null || sh scripts/need python-venv
+	python3 -m venv bench/.venv-codes
+	bench/.venv-codes/bin/pip install --quiet --requirement bench/codes/requirements.txt
+	@touch $@
 
 bench/.venv/ready: bench/peers/requirements.txt
 	@python3 -c 'import ensurepip' 2>/dev/null || sh scripts/need python-venv

@@ -71,7 +71,7 @@ impl fmt::Display for MaterialError {
                 write!(f, "the {quantity} is {value:?}: give a number of at least 0")
             }
             Self::PoissonRatio { value } => {
-                write!(f, "Poisson's ratio is {value:?}: give a number greater than -1 and less than 1/2")
+                write!(f, "Poisson's ratio is {value:?}: give a number greater than -1 and at most 1/2")
             }
             Self::Epsilon { value } => write!(
                 f,

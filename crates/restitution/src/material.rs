@@ -13,8 +13,8 @@ use crate::error::{in_range, positive};
 /// let ice = Material::new(9.4e9, 0.33, 917.0)?;
 /// assert_eq!(ice.sound_speed(), (9.4e9_f64 / 917.0).sqrt());
 ///
-/// let cork = Material::new(30e6, 0.5, 240.0);
-/// assert_eq!(cork, Err(MaterialError::PoissonRatio { value: 0.5 }));
+/// let cork = Material::new(30e6, 0.6, 240.0);
+/// assert_eq!(cork, Err(MaterialError::PoissonRatio { value: 0.6 }));
 /// # Ok::<(), MaterialError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,11 +30,11 @@ impl Material {
     /// # Errors
     ///
     /// [`MaterialError::NotPositive`] for a modulus or density that is not positive and finite,
-    /// [`MaterialError::PoissonRatio`] outside (-1, 1/2), [`MaterialError::OutOfRange`] if f64 cannot hold the
+    /// [`MaterialError::PoissonRatio`] outside (-1, 1/2], where 1/2 is an incompressible solid, [`MaterialError::OutOfRange`] if f64 cannot hold the
     /// compliance `(1 - nu^2)/Y` or the speed of sound.
     pub fn new(young: f64, poisson: f64, density: f64) -> Result<Self, MaterialError> {
         let young = positive("Young modulus", young)?;
-        if !(poisson > -1.0 && poisson < 0.5) {
+        if !(poisson > -1.0 && poisson <= 0.5) {
             return Err(MaterialError::PoissonRatio { value: poisson });
         }
         let material = Self { young, poisson, density: positive("density", density)? };

@@ -33,7 +33,7 @@ use std::ffi::OsString;
 
 /// The coefficient of restitution of colliding viscoelastic bodies, with every printed digit proved
 #[derive(Debug, Parser)]
-#[command(name = "restitution", version, arg_required_else_help = false)]
+#[command(name = "restitution", version, arg_required_else_help = true)]
 pub struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -76,7 +76,14 @@ pub enum Command {
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliError> {
     match parse(arguments) {
         Ok(cli) => cli.command.run(),
-        Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
+        Err(error)
+            if matches!(
+                error.kind(),
+                ErrorKind::DisplayHelp
+                    | ErrorKind::DisplayVersion
+                    | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
+            ) =>
+        {
             error.print().map_err(|_| CliError::ClosedPipe)
         }
         Err(error) => Err(error.into()),

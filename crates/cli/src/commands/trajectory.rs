@@ -82,7 +82,9 @@ impl TrajectoryArgs {
         let mut out = String::new();
         for n in 0..=self.damping_order {
             if n > trajectories.damping_order() {
-                out += &format!("x_{n}(t) = O(t^({}))\n", trajectories.exponent(n, 0));
+                let first = trajectories.exponent(n, 0);
+                let first = if first.is_integer() { first.to_string() } else { format!("({first})") };
+                out += &format!("x_{n}(t) = O(t^{first})\n");
                 continue;
             }
             let series = trajectories.order_n(n)?;

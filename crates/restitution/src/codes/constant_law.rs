@@ -57,6 +57,61 @@ impl ConstantRestitution {
         Ok(Self { zeta: finite("damping ratio zeta", zeta)? })
     }
 
+    /// Returns the law that rebounds with `epsilon` at the given end: what a code has to be told as its nominal value is
+    /// [`epsilon`](Self::epsilon) of it at zero compression.
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError::Epsilon`] unless `0 < epsilon < 1`.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution::codes::ConstantRestitution;
+    /// use restitution::{End, MaterialError};
+    ///
+    /// let law = ConstantRestitution::that_gives(0.7, End::ZeroForce)?;
+    /// assert!((law.epsilon(End::ZeroForce) - 0.7).abs() < 1e-14);
+    /// assert!(law.epsilon(End::ZeroCompression) < 0.7); // the nominal value
+    ///
+    /// assert_eq!(ConstantRestitution::that_gives(1.0, End::ZeroForce), Err(MaterialError::Epsilon { value: 1.0 }));
+    /// # Ok::<(), MaterialError>(())
+    /// ```
+    pub fn that_gives(epsilon: f64, end: End) -> Result<Self, MaterialError> {
+        let nominal = Self::of_epsilon(epsilon)?;
+        if end == End::ZeroCompression {
+            return Ok(nominal);
+        }
+        // the coefficient falls with zeta, and ending earlier raises it
+        let (mut low, mut high) = (nominal.zeta, 2.0 * nominal.zeta);
+        while (Self { zeta: high }).epsilon(end) > epsilon {
+            high *= 2.0;
+        }
+        loop {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                return Ok(Self { zeta: middle });
+            }
+            if (Self { zeta: middle }).epsilon(end) > epsilon { low = middle } else { high = middle }
+        }
+    }
+
+    /// Returns the law of `damping tsuji` of LAMMPS 22Jul2025, told `nominal`.
+    ///
+    /// Its polynomial for the damping lacks a factor of the square root of 2, which later sources have: told 0.7, it rebounds with 0.7777.
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError::Epsilon`] unless `0 < nominal < 1`.
+    pub fn of_lammps_tsuji(nominal: f64) -> Result<Self, MaterialError> {
+        const ALPHA: [f64; 7] = [1.2728, -4.2783, 11.087, -22.348, 27.467, -18.022, 4.8218];
+        if !(nominal > 0.0 && nominal < 1.0) {
+            return Err(MaterialError::Epsilon { value: nominal });
+        }
+        let alpha = ALPHA.iter().rev().fold(0.0, |sum, c| sum * nominal + c);
+        Ok(Self { zeta: alpha.max(0.0) / 5.0_f64.sqrt() })
+    }
+
     /// YADE's damping ratio.
     pub fn betan(&self) -> f64 {
         self.zeta / (2.0 * 0.3_f64.sqrt())

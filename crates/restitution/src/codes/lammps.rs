@@ -1,4 +1,4 @@
-use super::{Input, from_stiffness_and_damping, plane_strain, stiffness_and_damping};
+use super::{Input, UnitSystem, from_stiffness_and_damping, plane_strain, stiffness_and_damping};
 use crate::error::{at_least_zero, in_range, positive};
 use crate::{End, MaterialError, ViscoelasticContact};
 use core::fmt;
@@ -50,6 +50,34 @@ impl LammpsGranular {
         Ok(Self { k_n, eta_n0, end })
     }
 
+    /// Returns the line for a wall, here the plane z = 0: `pair_coeff` says nothing about walls.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution::End;
+    /// use restitution::codes::LammpsGranular;
+    ///
+    /// let input = LammpsGranular { k_n: 1e7, eta_n0: 2e7, end: End::ZeroCompression };
+    /// assert!(input.wall_line().starts_with("fix wall all wall/gran granular hertz 1e7 2e7"));
+    /// ```
+    pub fn wall_line(&self) -> std::string::String {
+        std::format!("fix wall all wall/gran granular {} zplane 0.0 NULL", self.model())
+    }
+
+    fn model(&self) -> std::string::String {
+        let (k_n, eta_n0) = (Input(self.k_n), Input(self.eta_n0));
+        let limit = if self.end == End::ZeroForce { " limit_damping" } else { "" };
+        std::format!("hertz {k_n} {eta_n0} tangential linear_nohistory 0 0 damping viscoelastic{limit}")
+    }
+
+    /// Returns the same input with its numbers in another system of units.
+    #[must_use]
+    pub fn in_units(self, units: UnitSystem) -> Self {
+        let (k_n, eta_n0) = (self.k_n / units.pressure(), self.eta_n0 / units.damping());
+        Self { k_n, eta_n0, ..self }
+    }
+
     /// Returns the input of `hertz/material E eta_n0 nu`, where Young's modulus and Poisson's ratio give `k_n`.
     ///
     /// # Errors
@@ -77,13 +105,8 @@ impl LammpsGranular {
 
 impl fmt::Display for LammpsGranular {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (k_n, eta_n0) = (Input(self.k_n), Input(self.eta_n0));
         writeln!(f, "pair_style granular")?;
-        write!(
-            f,
-            "pair_coeff * * hertz {k_n} {eta_n0} tangential linear_nohistory 0 0 damping viscoelastic"
-        )?;
-        if self.end == End::ZeroForce { write!(f, " limit_damping") } else { Ok(()) }
+        write!(f, "pair_coeff * * {}", self.model())
     }
 }
 
@@ -130,6 +153,20 @@ impl LammpsHertzHistory {
     /// As [`LammpsGranular::contact`].
     pub fn contact(&self, radius: f64, mass: f64) -> Result<ViscoelasticContact, MaterialError> {
         from_stiffness_and_damping((self.kn, self.gamma_n), radius, mass)
+    }
+}
+
+impl LammpsHertzHistory {
+    /// Returns the line for a wall, here the plane z = 0: `pair_style` says nothing about walls.
+    pub fn wall_line(&self) -> std::string::String {
+        let (kn, gamma_n) = (Input(self.kn), Input(self.gamma_n));
+        std::format!("fix wall all wall/gran hertz/history {kn} NULL {gamma_n} NULL 0 0 zplane 0.0 NULL")
+    }
+
+    /// Returns the same input with its numbers in another system of units.
+    #[must_use]
+    pub fn in_units(self, units: UnitSystem) -> Self {
+        Self { kn: self.kn / units.pressure(), gamma_n: self.gamma_n / units.damping() }
     }
 }
 

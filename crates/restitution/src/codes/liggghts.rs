@@ -1,6 +1,9 @@
-use super::{Input, from_stiffness_and_damping, stiffness_and_damping};
+use super::{Input, UnitSystem, from_stiffness_and_damping, stiffness_and_damping};
 use crate::{End, MaterialError, ViscoelasticContact};
 use core::fmt;
+
+/// What stands in the lines for pairs and walls alike.
+const MODEL: &str = "model hertz/stiffness tangential no_history";
 
 /// LIGGGHTS, `pair_style gran model hertz/stiffness` with the properties `kn` and `gamman`.
 ///
@@ -51,10 +54,28 @@ impl Liggghts {
     }
 }
 
+impl Liggghts {
+    /// Returns the line for a wall, here the plane z = 0, of the material of the particles.
+    pub fn wall_line(&self) -> std::string::String {
+        let limit = self.limit();
+        std::format!("fix wall all wall/gran {MODEL} primitive type 1 zplane 0.0 limitForce {limit}")
+    }
+
+    fn limit(&self) -> &'static str {
+        if self.end == End::ZeroForce { "on" } else { "off" }
+    }
+
+    /// Returns the same input with its numbers in another system of units.
+    #[must_use]
+    pub fn in_units(self, units: UnitSystem) -> Self {
+        let (kn, gamman) = (self.kn / units.pressure(), self.gamman / units.damping());
+        Self { kn, gamman, ..self }
+    }
+}
+
 impl fmt::Display for Liggghts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let limit = if self.end == End::ZeroForce { "on" } else { "off" };
-        writeln!(f, "pair_style gran model hertz/stiffness tangential no_history limitForce {limit}")?;
+        writeln!(f, "pair_style gran {MODEL} limitForce {}", self.limit())?;
         writeln!(f, "pair_coeff * *")?;
         let property = |name: &str, value: f64| {
             format!("fix {name} all property/global {name} peratomtypepair 1 {}", Input(value))

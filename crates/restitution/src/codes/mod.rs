@@ -8,6 +8,7 @@ mod esys;
 mod lammps;
 mod liggghts;
 mod mercury;
+mod unit_system;
 mod yade;
 
 pub use constant_law::ConstantRestitution;
@@ -15,6 +16,7 @@ pub use esys::EsysParticle;
 pub use lammps::{LammpsGranular, LammpsHertzHistory};
 pub use liggghts::Liggghts;
 pub use mercury::MercuryDpm;
+pub use unit_system::UnitSystem;
 pub use yade::Yade;
 
 use crate::error::{at_least_zero, finite, in_range, positive};
@@ -58,7 +60,7 @@ fn from_stiffness_and_damping(
 
 /// `1 - nu^2`.
 fn plane_strain(poisson: f64) -> Result<f64, MaterialError> {
-    if !(poisson > -1.0 && poisson < 0.5) {
+    if !(poisson > -1.0 && poisson <= 0.5) {
         return Err(MaterialError::PoissonRatio { value: poisson });
     }
     Ok((1.0 - poisson) * (1.0 + poisson))

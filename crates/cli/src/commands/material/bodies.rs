@@ -74,6 +74,56 @@ impl BodyArgs {
         Ok(())
     }
 
+    /// Names everything that is missing at once.
+    fn complete(&self) -> Result<(), CliError> {
+        let mut missing = Vec::new();
+        let mut need = |known: bool, name: &'static str| {
+            if !known {
+                missing.push(name);
+            }
+        };
+        need(self.young.is_some(), "--young");
+        need(self.poisson.is_some(), "--poisson");
+        need(self.density.is_some(), "--density");
+        need(self.radius.is_some(), "--radius");
+        if self.against != Against::RigidPlane
+            && (self.young2.is_some() || self.poisson2.is_some() || self.density2.is_some())
+        {
+            need(self.young2.is_some(), "--young2");
+            need(self.poisson2.is_some(), "--poisson2");
+            need(self.density2.is_some(), "--density2");
+        }
+        incomplete(&missing)
+    }
+
+    /// For which contacts a line of a code holds, in words.
+    pub(super) fn scope(&self) -> String {
+        let radius = self.radius.as_ref().map(ToString::to_string);
+        match (self.against, radius) {
+            (_, None) => "any two bodies of this effective radius and mass".to_owned(),
+            (Against::Sphere, Some(radius)) => match &self.radius2 {
+                Some(other) => format!("spheres of radius {radius} against spheres of radius {other}"),
+                None => format!("spheres of radius {radius} among themselves"),
+            },
+            (Against::Plane, Some(radius)) => format!("spheres of radius {radius} against a plane"),
+            (Against::RigidPlane, Some(radius)) => {
+                format!("spheres of radius {radius} against a rigid plane")
+            }
+        }
+    }
+
+    /// Whether the second body is a plane.
+    pub(super) fn is_plane(&self) -> bool {
+        self.against != Against::Sphere
+    }
+
+    /// Whether any quantity was given with a unit.
+    pub(super) fn has_units(&self) -> bool {
+        let all = [&self.young, &self.density, &self.radius, &self.radius2, &self.young2, &self.density2];
+        let effective = [&self.effective_radius, &self.effective_mass, &self.effective_modulus];
+        all.into_iter().chain(effective).flatten().any(|quantity| quantity.unit().is_some())
+    }
+
     /// The elastic contact.
     pub(super) fn contact(&self) -> Result<Contact, CliError> {
         if let (Some(radius), Some(mass)) = (&self.effective_radius, &self.effective_mass) {
@@ -86,6 +136,7 @@ impl BodyArgs {
             };
             return Contact::new(radius.to_f64(), mass.to_f64(), modulus).map_err(CliError::usage);
         }
+        self.complete()?;
         let sphere = self.sphere()?;
         match self.against {
             Against::Sphere => Contact::of_spheres(&sphere, &self.second_sphere(&sphere)?),
@@ -166,9 +217,19 @@ impl BodyArgs {
 
     fn plane_strain(&self) -> Result<f64, CliError> {
         let nu = required(&self.poisson, "--poisson")?.to_f64();
-        match nu > -1.0 && nu < 0.5 {
+        match nu > -1.0 && nu <= 0.5 {
             true => Ok((1.0 - nu) * (1.0 + nu)),
             false => Err(CliError::usage(restitution::MaterialError::PoissonRatio { value: nu })),
+        }
+    }
+}
+
+fn incomplete(missing: &[&str]) -> Result<(), CliError> {
+    match missing {
+        [] => Ok(()),
+        [one] => Err(CliError::usage(format!("the bodies are not complete: give {one}"))),
+        [rest @ .., last] => {
+            Err(CliError::usage(format!("the bodies are not complete: give {} and {last}", rest.join(", "))))
         }
     }
 }

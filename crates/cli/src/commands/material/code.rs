@@ -6,7 +6,8 @@ use crate::args::EndOfContact;
 use crate::exact::Exact;
 use crate::units::{Dimension, Quantity};
 use restitution::codes::{
-    ConstantRestitution, EsysParticle, LammpsGranular, LammpsHertzHistory, Liggghts, MercuryDpm, Yade,
+    ConstantRestitution, EsysParticle, LammpsGranular, LammpsHertzHistory, Liggghts, MercuryDpm, UnitSystem,
+    Yade,
 };
 use restitution::{End, MaterialError, ViscoelasticContact};
 
@@ -17,6 +18,10 @@ pub(super) enum Code {
     Lammps,
     /// LAMMPS, pair_style gran/hertz/history.
     LammpsHertzHistory,
+    /// LAMMPS, pair_style granular with damping coeff_restitution: the same coefficient at every velocity.
+    LammpsConstant,
+    /// LIGGGHTS, model hertz: the same coefficient at every velocity.
+    LiggghtsConstant,
     /// LIGGGHTS, pair_style gran model hertz/stiffness.
     Liggghts,
     /// YADE, Ip2_FrictMat_FrictMat_MindlinPhys with en and vn.
@@ -31,18 +36,135 @@ impl Code {
     /// The lines to paste for the contact of the arguments.
     pub(super) fn lines(self, args: &MaterialArgs) -> Result<String, CliError> {
         let end = self.end(args.end)?;
+        if let Some(lines) = self.without_bodies(args)? {
+            return Ok(lines);
+        }
         let contact = args.bodies.contact()?;
         let pair = args.damping.pair(&args.bodies, contact, end)?.ok_or_else(|| {
             CliError::usage("nothing says how the material dissipates: give --dissipative-constant, --eta1 and --eta2, --measured or --g-star")
         })?;
-        self.text(args, &pair, end)
+        self.check(args)?;
+        Ok(self.remarks(args, &pair, end)? + &self.text(args, &pair, end)?)
+    }
+
+    /// YADE needs the coefficient and its velocity alone, whatever the bodies are.
+    fn without_bodies(self, args: &MaterialArgs) -> Result<Option<String>, CliError> {
+        let (Self::Yade, Some((velocity, epsilon)), []) =
+            (self, args.damping.measured(), args.velocity.as_slice())
+        else {
+            return Ok(None);
+        };
+        let input = Yade::measured(epsilon.to_f64(), velocity.to_f64(), 1.0).map_err(CliError::usage)?;
+        let lines = input.to_string();
+        let line = lines.lines().last().unwrap_or_default();
+        Ok(Some(format!(
+            "# SI units; any bodies, the contact ends at zero force\n# epsilon = {epsilon} at {velocity}\n{line}\n"
+        )))
+    }
+
+    /// Refuses what the code does not have.
+    fn check(self, args: &MaterialArgs) -> Result<(), CliError> {
+        let units = args.unit_system();
+        if units != UnitSystem::Si && !self.multiplies_mass() {
+            return Err(CliError::usage("this code's lines are in SI units: leave --units out"));
+        }
+        if units == UnitSystem::Reduced && (args.bodies.has_units() || args.damping.has_units()) {
+            return Err(CliError::usage(
+                "units lj are numbers without units: give bare numbers, all scaled alike",
+            ));
+        }
+        if self == Self::Esys && args.bodies.is_plane() {
+            return Err(CliError::usage(
+                "ESyS-Particle has no viscoelastic wall: make the wall of spheres that do not move, and leave --against out",
+            ));
+        }
+        Ok(())
+    }
+
+    /// What the lines below are for: units, bodies, end of contact, and a coefficient to check a run against.
+    fn remarks(self, args: &MaterialArgs, pair: &ViscoelasticContact, end: End) -> Result<String, CliError> {
+        let sign = if self == Self::Mercury { "//" } else { "#" };
+        let contact = pair.contact();
+        let ends = if end == End::ZeroForce { "zero force" } else { "zero compression" };
+        let units = args.unit_system();
+        let reduced = units == UnitSystem::Reduced;
+        let (metre, kilogram, speed) = if reduced { ("", "", "") } else { (" m", " kg", " m/s") };
+        let mut out = format!(
+            "{sign} units {}; for {}: R_eff = {:?}{metre}, m_eff = {:?}{kilogram}; the contact ends at {ends}\n",
+            units.name(),
+            args.bodies.scope(),
+            contact.effective_radius(),
+            contact.effective_mass(),
+        );
+        if let Some((velocity, epsilon)) = args.damping.measured() {
+            out += &format!("{sign} epsilon = {epsilon} at {velocity}\n");
+        } else if let Ok(g_star) = pair.characteristic_velocity() {
+            let epsilon = pair.epsilon(g_star, end).map_err(CliError::usage)?;
+            out += &format!("{sign} epsilon = {epsilon:.6} at g* = {g_star:.6e}{speed}\n");
+        }
+        if self.multiplies_mass() {
+            out +=
+                &format!("{sign} the damping below multiplies the mass: it is right for this m_eff alone\n");
+        }
+        Ok(out)
+    }
+
+    fn multiplies_mass(self) -> bool {
+        matches!(self, Self::Lammps | Self::LammpsHertzHistory | Self::Liggghts)
+    }
+
+    /// The lines of a law with the same coefficient at every velocity, which a measured pair gives.
+    fn constant(self, args: &MaterialArgs, pair: &ViscoelasticContact, end: End) -> Result<String, CliError> {
+        let Some((_, epsilon)) = args.damping.measured() else {
+            return Err(CliError::usage("a constant coefficient is one that was measured: give --measured"));
+        };
+        let law = ConstantRestitution::that_gives(epsilon.to_f64(), end).map_err(CliError::usage)?;
+        let nominal = format!("{:.9}", law.epsilon(End::ZeroCompression));
+        let nominal = nominal.trim_end_matches('0');
+        let (limited, modulus) = (end == End::ZeroForce, pair.contact().effective_modulus());
+        let wall = args.bodies.is_plane();
+        if self == Self::LammpsConstant {
+            let limit = if limited { " limit_damping" } else { "" };
+            let k_n = 4.0 / 3.0 * modulus;
+            let model = format!(
+                "hertz {k_n:e} {nominal} tangential linear_nohistory 0 0 damping coeff_restitution{limit}"
+            );
+            return Ok(match wall {
+                true => format!("fix wall all wall/gran granular {model} zplane 0.0 NULL\n"),
+                false => format!("pair_style granular\npair_coeff * * {model}\n"),
+            });
+        }
+        let limit = if limited { "on" } else { "off" };
+        let model = "model hertz tangential no_history";
+        let poisson = args.bodies.poisson().unwrap_or(0.3);
+        let young = 2.0 * modulus * (1.0 - poisson) * (1.0 + poisson);
+        let young = format!("{young:.14e}").parse().unwrap_or(young); // the last digits are rounding
+        let hard = if young > 1e9 { "hard_particles yes\n" } else { "" }; // else refused
+        let mut lines = format!("{hard}pair_style gran {model} limitForce {limit}\npair_coeff * *\n");
+        lines += &format!("fix young all property/global youngsModulus peratomtype {young:e}\n");
+        lines += &format!("fix poisson all property/global poissonsRatio peratomtype {poisson}\n");
+        lines += &format!("fix cor all property/global coefficientRestitution peratomtypepair 1 {nominal}\n");
+        lines += "fix friction all property/global coefficientFriction peratomtypepair 1 0\n";
+        if wall {
+            lines +=
+                &format!("fix wall all wall/gran {model} primitive type 1 zplane 0.0 limitForce {limit}\n");
+        }
+        Ok(lines)
     }
 
     fn text(self, args: &MaterialArgs, pair: &ViscoelasticContact, end: End) -> Result<String, CliError> {
+        let (wall, units) = (args.bodies.is_plane(), args.unit_system());
         let text = match self {
-            Self::Lammps => LammpsGranular::new(pair, end).map(|input| input.to_string()),
-            Self::LammpsHertzHistory => LammpsHertzHistory::new(pair).map(|input| input.to_string()),
-            Self::Liggghts => Liggghts::new(pair, end).map(|input| input.to_string()),
+            Self::Lammps => LammpsGranular::new(pair, end)
+                .map(|input| input.in_units(units))
+                .map(|input| if wall { input.wall_line() } else { input.to_string() }),
+            Self::LammpsHertzHistory => LammpsHertzHistory::new(pair)
+                .map(|input| input.in_units(units))
+                .map(|input| if wall { input.wall_line() } else { input.to_string() }),
+            Self::Liggghts => Liggghts::new(pair, end).map(|input| input.in_units(units)).map(|input| {
+                if wall { format!("{input}\n{}", input.wall_line()) } else { input.to_string() }
+            }),
+            Self::LammpsConstant | Self::LiggghtsConstant => return self.constant(args, pair, end),
             Self::Mercury => Ok(MercuryDpm::new(pair).to_string()),
             Self::Esys => {
                 let poisson = args
@@ -71,7 +193,9 @@ impl Code {
             _ => Ok(only),
         };
         match self {
-            Self::Lammps | Self::Liggghts => Ok(end_of(asked.unwrap_or_default())),
+            Self::Lammps | Self::Liggghts | Self::LammpsConstant | Self::LiggghtsConstant => {
+                Ok(end_of(asked.unwrap_or_default()))
+            }
             Self::LammpsHertzHistory => only("gran/hertz/history", End::ZeroCompression),
             Self::Yade => only("YADE", End::ZeroForce),
             Self::Mercury => only("MercuryDPM", End::ZeroForce),
@@ -82,7 +206,9 @@ impl Code {
     /// The keys of its input, as the code calls them; those in brackets may be left out.
     fn keys(self) -> &'static [&'static str] {
         match self {
-            Self::Lammps => &["k_n", "eta_n0", "E", "nu", "limit_damping", "e"],
+            Self::Lammps => &["k_n", "eta_n0", "E", "nu", "limit_damping", "coeff_restitution", "tsuji"],
+            Self::LammpsConstant => &["coeff_restitution", "tsuji"],
+            Self::LiggghtsConstant => &["coefficientRestitution"],
             Self::LammpsHertzHistory => &["Kn", "gamma_n"],
             Self::Liggghts => &["kn", "gamman", "limitForce", "coefficientRestitution"],
             Self::Yade => &["en", "vn", "young", "poisson", "betan"],
@@ -123,8 +249,10 @@ impl CodeInput {
     pub(super) fn constant_law(&self) -> Result<Option<ConstantRestitution>, CliError> {
         let law = if self.text("betan").is_some() {
             ConstantRestitution::of_betan(self.number("betan")?)
+        } else if self.text("tsuji").is_some() {
+            ConstantRestitution::of_lammps_tsuji(self.number("tsuji")?)
         } else if let Some(key) =
-            ["e", "coefficientRestitution"].into_iter().find(|key| self.text(key).is_some())
+            ["coeff_restitution", "coefficientRestitution"].into_iter().find(|key| self.text(key).is_some())
         {
             ConstantRestitution::of_epsilon(self.number(key)?)
         } else {
@@ -149,6 +277,9 @@ impl CodeInput {
                 Liggghts { kn, gamman, end: End::ZeroForce }.contact(radius, mass)
             }
             Code::Yade => self.yade()?.contact(radius, mass),
+            Code::LammpsConstant | Code::LiggghtsConstant => {
+                return Err(CliError::usage("a constant coefficient is all that this input holds: give it"));
+            }
             Code::Mercury => MercuryDpm {
                 effective_elastic_modulus: self.number("effectiveElasticModulus")?,
                 dissipation: self.number("dissipation")?,

@@ -49,6 +49,19 @@ pub(super) struct DampingArgs {
 }
 
 impl DampingArgs {
+    /// The measured pair, if one was given.
+    pub(super) fn measured(&self) -> Option<&(Quantity, Exact)> {
+        self.measured.as_ref()
+    }
+
+    /// Whether any quantity was given with a unit.
+    pub(super) fn has_units(&self) -> bool {
+        let all =
+            [&self.dissipative_constant, &self.dissipative_constant2, &self.eta1, &self.eta2, &self.g_star];
+        let measured = self.measured.as_ref().map(|(velocity, _)| velocity);
+        all.into_iter().flatten().chain(measured).any(|quantity| quantity.unit().is_some())
+    }
+
     /// The viscoelastic contact, if anything says how it dissipates.
     pub(super) fn pair(
         &self,

@@ -15,6 +15,7 @@ use crate::{CliError, OutputArgs};
 use bodies::BodyArgs;
 use code::{Code, CodeInput};
 use damping::DampingArgs;
+use restitution::codes::UnitSystem;
 use restitution::{End, ViscoelasticContact};
 
 /// Arguments of `restitution material`.
@@ -35,6 +36,9 @@ pub struct MaterialArgs {
     /// The input of the code, such as k_n=1e7,eta_n0=2e7,limit_damping
     #[arg(long, value_name = "KEY=VALUE,...", requires = "from_code")]
     input: Option<String>,
+    /// The unit system of the code's input
+    #[arg(long, value_enum, value_name = "SYSTEM", requires = "code")]
+    units: Option<UnitArg>,
     /// Also give the time step that keeps the error of epsilon below this
     #[arg(long, value_name = "ERROR", value_parser = at_least_zero, conflicts_with = "code")]
     error: Option<Exact>,
@@ -46,7 +50,30 @@ pub struct MaterialArgs {
     damping: DampingArgs,
 }
 
+/// A unit system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum UnitArg {
+    /// Metre, kilogram, second.
+    Si,
+    /// Centimetre, gram, second.
+    Cgs,
+    /// Micrometre, picogram, microsecond.
+    Micro,
+    /// Bare numbers, taken as they are.
+    Lj,
+}
+
 impl MaterialArgs {
+    /// The unit system that was asked for.
+    fn unit_system(&self) -> UnitSystem {
+        match self.units {
+            None | Some(UnitArg::Si) => UnitSystem::Si,
+            Some(UnitArg::Cgs) => UnitSystem::Cgs,
+            Some(UnitArg::Micro) => UnitSystem::Micro,
+            Some(UnitArg::Lj) => UnitSystem::Reduced,
+        }
+    }
+
     /// Prints the table of quantities, or the lines of a code.
     ///
     /// # Errors
