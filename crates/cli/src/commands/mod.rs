@@ -76,15 +76,12 @@ pub enum Command {
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliError> {
     match parse(arguments) {
         Ok(cli) => cli.command.run(),
-        Err(error)
-            if matches!(
-                error.kind(),
-                ErrorKind::DisplayHelp
-                    | ErrorKind::DisplayVersion
-                    | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
-            ) =>
-        {
+        Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
             error.print().map_err(|_| CliError::ClosedPipe)
+        }
+        // the command alone: its help is the answer, so that it goes where answers go
+        Err(error) if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            crate::output::TargetArgs::default().write(&error.render().to_string())
         }
         Err(error) => Err(error.into()),
     }
