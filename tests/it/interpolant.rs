@@ -9,10 +9,10 @@ fn collision(law: &str, end: End) -> Collision {
     Collision::new(&law.parse().unwrap(), end).unwrap()
 }
 
-/// Law, end, interval, and what the remainder must stay below at degree 8 and 80 bits.
-/// A law, an end of contact, the ends of an interval as fractions, and the largest remainder.
+/// A law, an end of contact, the ends of an interval as fractions, and a remainder.
 type PieceOf = (&'static str, End, (i64, i64), (i64, i64), f64);
 
+/// What the remainder must stay below at degree 8 and 80 bits.
 const PIECES: [PieceOf; 6] = [
     ("3/2,1/2", End::ZeroCompression, (0, 1), (1, 20), 1e-13),
     ("3/2,1/2", End::ZeroCompression, (49, 50), (51, 50), 1e-16),

@@ -116,6 +116,18 @@ fn run(arguments: &[f64], out: &mut [f64], job: &(impl Fn(&[f64], &mut [f64]) + 
     job(arguments, out);
 }
 
+/// Runs a batch with the widest vectors of the processor at hand.
+fn dispatch(batch: Batch<'_>) {
+    #[cfg(all(feature = "simd", target_arch = "x86_64"))]
+    {
+        x86::run(batch);
+    }
+    #[cfg(not(all(feature = "simd", target_arch = "x86_64")))]
+    {
+        batch.run(machine::Compiled);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -155,17 +167,5 @@ mod tests {
         epsilon_batch(&u, &mut out, End::ZeroForce);
         assert!(u.iter().zip(&out).all(|(u, out)| *out == epsilon(*u, End::ZeroForce)));
         assert_eq!(out[u.len()..], [-1.0; 3]);
-    }
-}
-
-/// Runs a batch with the widest vectors of the processor at hand.
-fn dispatch(batch: Batch<'_>) {
-    #[cfg(all(feature = "simd", target_arch = "x86_64"))]
-    {
-        x86::run(batch);
-    }
-    #[cfg(not(all(feature = "simd", target_arch = "x86_64")))]
-    {
-        batch.run(machine::Compiled);
     }
 }
