@@ -219,7 +219,7 @@ impl Pieces {
         self.bound.approximation = largest.max(in_law);
     }
 
-    /// The first row that starts at [`NEAR`] or later; the loss has a polynomial of its own before.
+    /// The first row that starts at `NEAR` or later; the loss has a polynomial of its own before.
     pub fn near_row(&self) -> usize {
         let number = self.grid.number(NEAR);
         let next = number + u64::from(self.grid.start(number) < NEAR);
