@@ -118,6 +118,7 @@ impl Sandbox {
             .args(arguments)
             .current_dir(self.folder())
             .env("NO_COLOR", "1")
+            .env_remove("RUST_BACKTRACE")
             .stdin(stdin)
             .stdout(File::create(self.root.path().join("stdout"))?)
             .stderr(File::create(self.root.path().join("stderr"))?)

@@ -14,6 +14,9 @@ use std::sync::OnceLock;
 /// Bits of the certified values, before a small loss takes its own.
 const PREC: u32 = 160;
 
+/// Digits of a certified value whose size is not known beforehand.
+const DIGITS: usize = 25;
+
 fn collision(end: End) -> &'static Collision {
     static COLLISIONS: [OnceLock<Collision>; 2] = [OnceLock::new(), OnceLock::new()];
     let (slot, end) = match end {
@@ -48,6 +51,9 @@ pub(super) fn attack(random: &mut Source, end: End, tally: &mut Tally) {
     let Ok(exact) = collision(end).enclose(&Ball::from_f64(u, prec), prec) else {
         return tally.fault("spheres collide at every u", format!("u = {u:e}, {end:?}"));
     };
+    tally.expect(exact.relative_bits().is_some_and(|bits| bits > 70), "enclosures are narrow", || {
+        format!("u = {u:e}, {end:?}: {exact:?}")
+    });
     tally.count("values compared with certified ones", 3);
     let mut judge = |what: &str, value: f64, exact: &Ball, bound: f64| {
         let error = ulps(value, exact);
@@ -66,7 +72,7 @@ pub(super) fn attack(random: &mut Source, end: End, tally: &mut Tally) {
 fn inverse(random: &mut Source, end: End, tally: &mut Tally) {
     let wanted = by_ratio(random, 1e-40, 1.0);
     let u = u_of_epsilon(wanted, end);
-    if let Ok(exact) = collision(end).enclose(&Ball::from_f64(u, PREC), PREC) {
+    if let Ok(exact) = collision(end).epsilon_of(|prec| Ball::from_f64(u, prec), DIGITS) {
         let off = Float::with_val(PREC, exact.mid() - wanted).to_f64().abs() / wanted;
         tally.measure(&format!("relative distance of the exact coefficient at the inverse, {end:?}"), off);
         tally.expect(off <= INVERSE, "the exact coefficient at the inverse is the one asked for", || {
