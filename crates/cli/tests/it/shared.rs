@@ -8,7 +8,6 @@ use std::process::Stdio;
 #[test]
 fn wrong_input_is_named_with_its_remedy() {
     let cases = [
-        ("", "a subcommand"),
         ("tabel", "a similar subcommand exists: 'table'"),
         ("table --ordre 4", "a similar argument exists: '--order'"),
         ("table --order 0", "give one from 1 to 100000"),
@@ -40,6 +39,12 @@ fn wrong_input_is_named_with_its_remedy() {
         assert_eq!(code, 2, "{line}: {message}");
         assert!(message.contains(remedy), "{line}: {message}");
     }
+}
+
+#[test]
+fn the_command_alone_prints_its_help() {
+    let help = succeed("");
+    assert!(help.contains("Usage: restitution <COMMAND>") && help.contains("closed-form"), "{help}");
 }
 
 #[test]
