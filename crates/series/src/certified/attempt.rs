@@ -72,6 +72,9 @@ pub(crate) fn attempt(
 ) -> Result<Expansion, Failure> {
     let law = request.law;
     let bits = plan.bits;
+    if request.last.max(request.damping) >= turning_proof::MOST_PLACES {
+        return Err(Failure::Norms);
+    }
     let scale = Scale::new(law, plan.lambda, bits);
     let most = Float::with_val(64, 1) << (ROW_HEAD - 2);
     let ratio = scale.ratio.0 as f64 / scale.ratio.1 as f64;

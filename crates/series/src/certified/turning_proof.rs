@@ -11,8 +11,10 @@ use restitution_real::Magnitude;
 
 /// The error of one coefficient of a product: rounded once, worthless digits of the factors left away.
 ///
-/// Each of at most 8192 places contributes `2 2^-16` of a unit to the second part.
+/// Each of at most [`MOST_PLACES`] places contributes `2 2^-16` of a unit to the second part.
 pub(crate) const PRODUCT: f64 = SETTLED + 0.25;
+/// Places of the longest product for which [`PRODUCT`] holds; `attempt` proves no longer expansion.
+pub(crate) const MOST_PLACES: usize = 8192;
 /// Degrees in `theta` that are followed one by one, at most.
 const MOST_DEGREES: usize = 4000;
 
