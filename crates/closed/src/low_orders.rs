@@ -237,7 +237,7 @@ fn power_of(c: &[Ball], power: &BigRational, bits: u32) -> Vec<Ball> {
 
 /// Bytes that [`low_orders`] and the decimals of its values take at the peak, for so many digits.
 ///
-/// Never below what was measured: 180 MB for 10^6 digits of four coefficients, 30 MB for 10^5.
+/// Above what was measured: 49 MB for 10^6 digits of four coefficients, 11 MB for 10^5.
 pub fn memory_estimate(digits: usize) -> f64 {
     400.0 * digits as f64 + 2e7
 }

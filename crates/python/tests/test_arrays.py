@@ -145,3 +145,14 @@ def test_pickles():
     digits = restitution.Certified("0.5", "1e-3")
     assert pickle.loads(pickle.dumps(digits)) == digits
     assert pickle.loads(pickle.dumps(restitution.epsilon)) is restitution.epsilon
+
+
+def test_pint_quantities_are_converted():
+    pint = pytest.importorskip("pint")
+    unit = pint.UnitRegistry()
+    curve = restitution.Restitution.from_g_star(0.32 * unit("cm/s"))
+    assert curve.epsilon(1 * unit("cm/s")) == pytest.approx(curve.epsilon(0.01), rel=1e-14)
+    several = curve.epsilon(np.array([1.0, 2.0]) * unit("mm/s"))
+    assert several == pytest.approx(curve.epsilon([0.001, 0.002]), rel=1e-14)
+    with pytest.raises(pint.DimensionalityError):
+        curve.epsilon(1 * unit("m"))
