@@ -10,6 +10,7 @@ mod inverse;
 mod pieces;
 mod rounding;
 mod tables;
+mod tier;
 pub mod tiers;
 mod velocity;
 mod zero_compression;
