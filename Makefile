@@ -36,7 +36,7 @@ test: tools test-tools ## check formats, lints, documentation; run every test
 PYTHON = target/python
 test-python: tools $(PYTHON)/ready ## install the Python package into target/python and test it
 	$(PYTHON)/bin/pip install --quiet --disable-pip-version-check ./crates/python
-	cd crates/python && ../../$(PYTHON)/bin/python -m pytest --quiet
+	cd crates/python && ../../$(PYTHON)/bin/python -m pytest --quiet --pyargs tests restitution ../../docs
 
 test-page: tools $(PYTHON)/ready ## test the page of `restitution page` in a real browser
 	@sh scripts/need chromium

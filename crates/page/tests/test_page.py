@@ -14,7 +14,7 @@ import shutil
 import subprocess
 
 import pytest
-from playwright.sync_api import sync_playwright
+from playwright.sync_api import expect, sync_playwright
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 COMMAND = os.environ.get("RESTITUTION", str(ROOT / "target/release/restitution"))
@@ -218,7 +218,7 @@ def test_a_material_has_conditions_and_lines_for_codes(page):
     page.select_option("#against", "sphere")
     assert any("pair_coeff * * hertz" in line for line in page.locator(".code pre").all_inner_texts())
     page.locator(".code button").first.click()
-    assert page.locator(".code button").first.inner_text() == "Copied"
+    expect(page.locator(".code button").first).to_have_text("Copied")
 
 
 def test_narrow_and_dark(browser, file):
