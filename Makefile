@@ -3,10 +3,10 @@ CARGO ?= cargo
 .DEFAULT_GOAL := help
 SIZE ?= minutes
 SEED ?= 1
-.PHONY: help table tables test test-python test-page attack test-tools tools fmt clippy doc bench bench-peers mutants rooms test-codes clean
+.PHONY: help table tables test test-python test-page attack test-tools tools fmt clippy doc package publish-dry-run msrv bench bench-peers mutants rooms test-codes clean
 
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-15s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 table: tools ## build the command and print C_1..C_8 and a_1..a_8 to 20 digits
 	@echo "Building; GMP and MPFR come from source, the first time takes a few minutes."
@@ -30,6 +30,7 @@ test: tools test-tools ## check formats, lints, documentation; run every test
 	$(STEP) lints $(MAKE) --no-print-directory clippy
 	$(STEP) documentation $(MAKE) --no-print-directory doc
 	$(STEP) tests env CI=true $(CARGO) test --workspace --locked --quiet --no-fail-fast
+	$(STEP) packages $(MAKE) --no-print-directory package
 	$(STEP) python $(MAKE) --no-print-directory test-python
 	$(STEP) page $(MAKE) --no-print-directory test-page
 
@@ -63,6 +64,17 @@ clippy: tools
 
 doc: tools
 	RUSTDOCFLAGS=-Dwarnings $(CARGO) doc --workspace --no-deps --locked --quiet
+
+package: tools ## pack every crate for others, then build and test what was packed on its own
+	@CARGO="$(CARGO)" sh scripts/package
+
+publish-dry-run: package ## ask the registry whether it would take the packages, in their order
+	$(CARGO) publish --workspace --dry-run --no-verify --locked
+
+MSRV = $(shell sed -n 's/^rust-version = "\(.*\)"/\1.0/p' Cargo.toml)
+msrv: tools ## check that the oldest Rust promised compiles everything; rustup fetches it if it is missing
+	@rustup toolchain list | grep -q '^$(MSRV)' || rustup toolchain install $(MSRV) --profile minimal
+	cargo +$(MSRV) check --workspace --all-features --locked --quiet --target-dir target/msrv
 
 bench: tools ## measure speed, ours beside what it is compared with
 	RUSTFLAGS=-Ctarget-cpu=native $(CARGO) bench --locked --quiet --package restitution --target-dir target/native --bench evaluator

@@ -23,7 +23,7 @@ pub use restitution_law::exact;
 pub use restitution_table::{Cell, Table};
 pub use restitution_units as units;
 
-/// The README's Rust is run as a documentation test, here because the library's package doesn't hold the README.
+/// The README's code runs as a documentation test.
 #[cfg(doctest)]
-#[doc = include_str!("../../../README.md")]
+#[doc = include_str!("../README.md")]
 struct ReadmeDoctests;

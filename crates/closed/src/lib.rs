@@ -24,3 +24,8 @@ pub use error::ClosedError;
 pub use iterated::iterated_beta;
 pub use language::Language;
 pub use low_orders::{Family, LARGEST_BETA_ORDER, low_orders, memory_estimate};
+
+/// The README's code runs as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeDoctests;

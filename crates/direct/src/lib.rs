@@ -33,3 +33,8 @@ pub use end::End;
 pub use error::DirectError;
 pub use interpolant::{Interpolant, Variable};
 pub use saturation::{saturation_radius, saturation_speed};
+
+/// The README's code runs as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeDoctests;

@@ -33,3 +33,8 @@ pub use pieces::{Bound, Pieces, Shape};
 pub use reference::Reference;
 pub use target::Law;
 pub use tier_tables::tier_tables;
+
+/// The README's code runs as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeDoctests;

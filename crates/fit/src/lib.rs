@@ -17,3 +17,8 @@ pub use error::FitError;
 pub use fit::{Fit, Loss, fit};
 pub use laws::{Law, LawFit, compare};
 pub use measurement::{LARGEST_MEASURED_EPSILON, Measurement, STANDARD_GRAVITY, bounces};
+
+/// The README's code runs as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeDoctests;

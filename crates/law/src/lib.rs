@@ -14,3 +14,8 @@ mod force_law;
 
 pub use error::LawError;
 pub use force_law::{ForceLaw, Lattice};
+
+/// The README's code runs as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeDoctests;

@@ -31,3 +31,8 @@ pub use table_one::table_one;
 pub use two_point::{AtInfinity, two_point};
 pub use verdict::{Bounds, Trend, Verdict, verdict};
 pub use zeros::{Interval, sign_changes, zeros};
+
+/// The README's code runs as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeDoctests;

@@ -45,3 +45,8 @@ fn theory() -> String {
          elastic_compression: {compression:?}, {PRINTED} }};\n"
     )
 }
+
+/// The README's code runs as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeDoctests;

@@ -150,7 +150,7 @@ def test_it_works_with_the_keyboard_alone(page):
 
 
 def test_a_file_is_dropped_and_fitted(page):
-    data = ROOT / "examples/data/ice_bridges.csv"
+    data = ROOT / "crates/cli/examples/data/ice_bridges.csv"
     transfer = page.evaluate_handle(
         """(content) => {
             const transfer = new DataTransfer();

@@ -20,3 +20,8 @@ pub use ball_vector::BallVector;
 pub use error::RealError;
 pub use field::{Balls, Field, OrderedField, Rationals, ZeroTest};
 pub use magnitude::Magnitude;
+
+/// The README's code runs as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeDoctests;

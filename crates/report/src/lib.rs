@@ -55,3 +55,8 @@ pub fn make(effort: &Effort, watch: &Watch) -> Result<Vec<(String, String)>, Rep
     ];
     Ok(page::files(&machine, &sections))
 }
+
+/// The README's code runs as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeDoctests;

@@ -57,3 +57,8 @@ pub use time_step::{time_step_error, time_step_for};
 #[cfg(feature = "std")]
 pub use validity::{Validity, Verdict};
 pub use velocity::Restitution;
+
+/// The README's code runs as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeDoctests;

@@ -31,3 +31,8 @@ pub use field::{Field, ZeroTest};
 pub use fractional_series::FractionalSeries;
 pub use trajectories::{Trajectories, Units};
 pub use turning_time::turning_time;
+
+/// The README's code runs as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeDoctests;

@@ -6,3 +6,8 @@ mod table;
 
 pub use format::Format;
 pub use table::{Cell, Table};
+
+/// The README's code runs as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeDoctests;

@@ -54,3 +54,8 @@ pub fn dimension_of(symbol: &str) -> Option<Dimension> {
     let unit = spelling::read(symbol)?;
     Dimension::ALL.into_iter().find(|dimension| dimension.powers() == unit.powers)
 }
+
+/// The README's code runs as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeDoctests;

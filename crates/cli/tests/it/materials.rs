@@ -199,7 +199,7 @@ fn wrong_materials_are_named_with_their_remedy() {
 
 #[test]
 fn the_ice_of_the_paper_is_fitted() {
-    let data = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/data/ice_bridges.csv");
+    let data = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/data/ice_bridges.csv");
     let out = succeed(&format!("fit {data}"));
     assert!(
         out.contains("cm/s") && out.contains("do not follow the curve of a viscoelastic collision"),
@@ -274,7 +274,7 @@ fn documents_show_what_the_command_prints() {
         let line = line
             .strip_prefix("restitution ")
             .unwrap()
-            .replace("examples/data", &format!("{root}/examples/data"));
+            .replace("crates/cli/examples/data", &format!("{root}/crates/cli/examples/data"));
         assert_eq!(succeed(&line), printed);
     }
 }

@@ -19,7 +19,7 @@ fn command_lines(text: &str) -> Vec<String> {
 #[test]
 fn every_command_line_runs() {
     let folder = tempfile::tempdir().unwrap();
-    let data = "examples/data/ice_bridges.csv";
+    let data = "crates/cli/examples/data/ice_bridges.csv";
     fs::create_dir_all(folder.path().join(data).parent().unwrap()).unwrap();
     fs::copy(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(data), folder.path().join(data))
         .unwrap();

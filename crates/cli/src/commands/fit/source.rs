@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 /// The largest file that is read: ten million rows of two columns.
 const LARGEST_FILE: u64 = 256_000_000;
 /// The law of Bridges, Hatzes and Lin for ice, with which the paper compares.
-const ICE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/data/ice_bridges.csv"));
+const ICE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/examples/data/ice_bridges.csv"));
 
 /// Arguments that say where the measurements are and how to read them.
 #[derive(Debug, clap::Args)]
