@@ -3,7 +3,7 @@ CARGO ?= cargo
 .DEFAULT_GOAL := help
 SIZE ?= minutes
 SEED ?= 1
-.PHONY: help table tables test test-python test-page attack test-tools tools fmt clippy doc package publish-dry-run msrv bench bench-peers mutants rooms test-codes clean
+.PHONY: help table tables test test-python test-page attack test-tools tools fmt clippy doc package publish-dry-run msrv book bench bench-python bench-peers mutants rooms test-codes clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-15s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -76,9 +76,21 @@ msrv: tools ## check that the oldest Rust promised compiles everything; rustup f
 	@rustup toolchain list | grep -q '^$(MSRV)' || rustup toolchain install $(MSRV) --profile minimal
 	cargo +$(MSRV) check --workspace --all-features --locked --quiet --target-dir target/msrv
 
+MDBOOK = target/tools/bin/mdbook
+book: $(MDBOOK) ## make one book of the documents, target/book/index.html
+	$(MDBOOK) build
+
+$(MDBOOK):
+	$(CARGO) install mdbook --version 0.5.4 --locked --quiet --no-default-features --features search --root target/tools
+
 bench: tools ## measure speed, ours beside what it is compared with
 	RUSTFLAGS=-Ctarget-cpu=native $(CARGO) bench --locked --quiet --package restitution --target-dir target/native --bench evaluator
 	$(CARGO) bench --workspace --locked --quiet
+	@$(MAKE) --no-print-directory bench-python
+
+bench-python: tools $(PYTHON)/ready ## measure the Python package beside formula (35) in NumPy, and in numba if target/python has it
+	$(PYTHON)/bin/pip install --quiet --disable-pip-version-check ./crates/python
+	$(PYTHON)/bin/python bench/python/epsilon.py
 
 bench-peers: tools bench/.venv/ready ## measure the series engine against FLINT and PARI/GP in one run
 	$(CARGO) build --release --locked --quiet --package restitution-series --examples

@@ -13,6 +13,9 @@ use restitution_series::{DelayedRecovery, Quantity, SeriesError, Trajectories, c
 /// A value with its proved digits, and how far the true value is from them at most.
 pub type Certified = (String, String);
 
+/// The steps of work that tells its share.
+const PERCENT: usize = 100;
+
 /// The law that a text names.
 pub fn law(text: &str) -> PyResult<ForceLaw> {
     text.parse().map_err(value)
@@ -46,7 +49,7 @@ pub fn coefficients(
         }
     };
     let law = self::law(law)?;
-    let values = work::run(py, order, progress, move |watch: &Watch| {
+    let values = work::run(py, Some(order), progress, move |watch: &Watch| {
         coefficients_watched(family, &law, order, digits, &mut |k| watch.set(k))
     })?;
     values.map_err(value)?.iter().map(|ball| certified(ball, digits)).collect()
@@ -56,7 +59,7 @@ pub fn coefficients(
 #[pyfunction]
 pub fn psi(py: Python<'_>, order: usize, law: &str) -> PyResult<Vec<BigRational>> {
     let end = DelayedRecovery::new(&self::law(law)?).map_err(value)?;
-    work::run(py, 1, None, move |_| end.psi(order))
+    work::run(py, None, None, move |_| end.psi(order))
 }
 
 /// `(n, exponent, coefficient)` of the trajectories up to a power of time.
@@ -66,9 +69,11 @@ pub fn trajectory(
     damping_order: usize,
     time_order: BigRational,
     law: &str,
+    progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Vec<(usize, BigRational, BigRational)>> {
     let law = self::law(law)?;
-    work::run(py, 1, None, move |_| rows(&law, damping_order, &time_order))?.map_err(value)
+    let work = move |watch: &Watch| rows(&law, damping_order, &time_order, watch);
+    work::run(py, Some(PERCENT), progress, work)?.map_err(value)
 }
 
 /// The coefficients of `x_0 .. x_N` that belong to powers of time up to `last`.
@@ -76,11 +81,14 @@ fn rows(
     law: &ForceLaw,
     damping_order: usize,
     last: &BigRational,
+    watch: &Watch,
 ) -> Result<Vec<(usize, BigRational, BigRational)>, SeriesError> {
     let steps = |step: BigRational| ((last - BigRational::one()) / step).floor().to_integer().to_usize();
     let terms = steps(law.elastic_step()).map_or(1, |last| last + 1);
     let orders = steps(law.damping_step()).unwrap_or(0).min(damping_order);
-    let trajectories = Trajectories::exact(law, orders, terms);
+    let trajectories = Trajectories::exact_watched(law, orders, terms, &|share| {
+        watch.set(PERCENT * share.numer() / share.denom());
+    });
     let mut rows = Vec::new();
     for n in 0..=orders {
         for (j, coefficient) in trajectories.coefficients(n)?.iter().enumerate() {
@@ -103,13 +111,14 @@ pub fn epsilon_digits(
     law: &str,
     end: &str,
     loss: bool,
+    progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Certified> {
     let end = match crate::errors::end(end)? {
         restitution::End::ZeroCompression => End::ZeroCompression,
         restitution::End::ZeroForce => End::ZeroForce,
     };
     let collision = Collision::new(&self::law(law)?, end).map_err(value)?;
-    let ball = work::run(py, 1, None, move |_| match loss {
+    let ball = work::run(py, None, progress, move |_| match loss {
         true => collision.one_minus_epsilon(&u, digits),
         false => collision.epsilon(&u, digits),
     })?;
@@ -120,7 +129,8 @@ pub fn epsilon_digits(
 #[pyfunction]
 pub fn saturation(py: Python<'_>, digits: usize, law: &str) -> PyResult<(Certified, Certified)> {
     let law = self::law(law)?;
-    let (radius, speed) =
-        work::run(py, 1, None, move |_| (saturation_radius(&law, digits), saturation_speed(&law, digits)))?;
+    let (radius, speed) = work::run(py, None, None, move |_| {
+        (saturation_radius(&law, digits), saturation_speed(&law, digits))
+    })?;
     Ok((certified(&radius.map_err(value)?, digits)?, certified(&speed.map_err(value)?, digits)?))
 }

@@ -5,7 +5,7 @@ use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, mpsc};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// How often signals are looked for.
 const POLL: Duration = Duration::from_millis(50);
@@ -33,11 +33,11 @@ impl Watch {
 /// Runs `work` on a thread of its own and gives its result.
 ///
 /// Every 50 ms the interpreter may handle signals, and `progress`, if there is one, is called with the number
-/// of steps done and `total`. If either raises, the exception is passed on at once, and the work ends at its
-/// next step.
+/// of steps done and `total`; with the seconds gone and None where steps cannot be counted. If either raises,
+/// the exception is passed on at once, and the work ends at its next step.
 pub fn run<T: Send + 'static>(
     py: Python<'_>,
-    total: usize,
+    total: Option<usize>,
     progress: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&Watch) -> T + Send + 'static,
 ) -> PyResult<T> {
@@ -48,7 +48,7 @@ pub fn run<T: Send + 'static>(
         // nobody listens any more if the work was abandoned
         let _ = send.send(work(&inside));
     });
-    let mut told = 0;
+    let (start, mut told) = (Instant::now(), 0);
     let receive = std::sync::Mutex::new(receive);
     loop {
         let waited = py.detach(|| match receive.lock() {
@@ -57,7 +57,7 @@ pub fn run<T: Send + 'static>(
         });
         match waited {
             Ok(value) => {
-                if let Some(progress) = progress {
+                if let (Some(progress), Some(total)) = (progress, total) {
                     progress.call1((total, total))?;
                 }
                 return Ok(value);
@@ -68,7 +68,10 @@ pub fn run<T: Send + 'static>(
             },
             Err(mpsc::RecvTimeoutError::Timeout) => {}
         }
-        let done = watch.done.load(Ordering::Relaxed);
+        let done = match total {
+            Some(_) => watch.done.load(Ordering::Relaxed),
+            None => usize::try_from(start.elapsed().as_secs()).unwrap_or(usize::MAX),
+        };
         let told_so = match progress.filter(|_| done != told) {
             Some(progress) => progress.call1((done, total)).map(|_| told = done),
             None => Ok(()),

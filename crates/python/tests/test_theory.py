@@ -3,7 +3,6 @@
 import signal
 import subprocess
 import sys
-import textwrap
 import time
 from decimal import Decimal
 from fractions import Fraction
@@ -109,26 +108,84 @@ def test_wrong_requests_are_one_sentence(call):
     assert str(error.value) and "\n" not in str(error.value)
 
 
-def test_progress_is_told():
+@pytest.mark.parametrize(
+    "work",
+    [
+        lambda watch: restitution.coefficients("C", 12, digits=20, progress=watch),
+        lambda watch: restitution.pade(6, 6, progress=watch),
+        lambda watch: restitution.trajectory(3, 40, progress=watch),
+    ],
+)
+def test_progress_is_told(work):
     seen = []
-    restitution.coefficients("C", 12, digits=20, progress=lambda done, total: seen.append((done, total)))
-    assert seen[-1] == (12, 12)
+    work(lambda done, total: seen.append((done, total)))
+    assert seen == sorted(seen) and seen[-1][0] == seen[-1][1] > 0
 
 
-def test_ctrl_c_interrupts():
-    code = textwrap.dedent(
-        """
-        import restitution
-        print("ready", flush=True)
-        restitution.coefficients("C", 2000, digits=2000)
-        """
-    )
+class Enough(Exception):
+    pass
+
+
+def test_where_steps_cannot_be_counted_seconds_are_told_and_an_error_ends_the_work():
+    """A second of work at least, on any machine: the digits grow until it takes one."""
+
+    def refuse(done, total):
+        raise Enough(done, total)
+
+    digits = 50_000
+    with pytest.raises(Enough) as told:
+        while True:
+            restitution.closed_form("a", 4, digits=digits, progress=refuse)
+            digits *= 3
+    assert told.value.args == (1, None)
+
+
+def test_progress_is_one_line_of_stderr(capsys):
+    restitution.coefficients("C", 120, digits=100, progress=True)
+    shown = capsys.readouterr().err
+    assert shown.startswith("\r") and shown.endswith("120/120\n")
+
+
+@pytest.mark.parametrize(
+    "work",
+    [
+        'restitution.coefficients("C", 2000, digits=2000)',
+        'restitution.pade(500, 500, digits=2000)',
+        'restitution.trajectory(200, 5000)',
+        'restitution.closed_form("a", 4, digits=30_000_000)',
+        'restitution.epsilon_digits("1/3", 2000)',
+        'restitution.coefficients("psi", 3000)',
+        'restitution.saturation(2000)',
+    ],
+)
+def test_ctrl_c_interrupts(work):
+    code = f"import restitution\nprint('ready', flush=True)\n{work}\nprint('done', flush=True)"
     work = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert work.stdout.readline() == "ready\n"
     time.sleep(0.3)
     work.send_signal(signal.SIGINT)
-    _, err = work.communicate(timeout=60)
-    assert work.returncode != 0 and "KeyboardInterrupt" in err
+    out, err = work.communicate(timeout=60)
+    assert work.returncode != 0 and "KeyboardInterrupt" in err and "done" not in out
+
+
+def test_latex_is_what_a_notebook_can_show():
+    small = restitution.Certified("-1.5e-12", "1e-14")
+    assert small._repr_latex_() == "$-1.5\\cdot 10^{-12}$"
+    shown = restitution.pade(1, 1, digits=4)._repr_latex_()
+    assert shown == "$\\frac{1.000 - 0.4614 u}{1.000 + 0.6921 u}$"
+    assert "e-" not in restitution.pade(1, 4, digits=4)._repr_latex_()
+    assert restitution.closed_form("a", 3)._repr_latex_().startswith("$\\frac{7}{25} + ")
+
+
+def test_sympy_has_the_digits_that_are_proved():
+    sympy = pytest.importorskip("sympy")
+    quotient = restitution.pade(2, 3, digits=30)
+    expression = quotient.sympy()
+    (u,) = expression.free_symbols
+    assert abs(float(expression.subs(u, 1)) - quotient(1.0)) < 1e-15
+    constants = expression.atoms(sympy.Float)
+    assert {round(c._prec / 3.3219) for c in constants} == {31}
+    assert quotient.sympy(sympy.Symbol("x")).free_symbols == {sympy.Symbol("x")}
 
 
 def test_help_is_enough():

@@ -1,7 +1,9 @@
 """Exact and certified numbers."""
 
+import contextlib
 import math
 import re
+import sys
 from decimal import Decimal
 from fractions import Fraction
 
@@ -88,6 +90,9 @@ class Certified:
         finally:
             flint.ctx.prec = before
 
+    def _digits(self):
+        return len(self.decimal.as_tuple().digits)
+
     def _bits(self):
         return math.ceil(len(self._value) * math.log2(10)) + 64
 
@@ -100,9 +105,12 @@ class Certified:
     def __repr__(self):
         return f"Certified({self._value!r})"
 
-    def _repr_latex_(self):
+    def _latex(self):
         mantissa, e, exponent = self._value.partition("e")
-        return f"${mantissa}\\cdot 10^{{{int(exponent)}}}$" if e else f"${mantissa}$"
+        return f"{mantissa}\\cdot 10^{{{int(exponent)}}}" if e else mantissa
+
+    def _repr_latex_(self):
+        return f"${self._latex()}$"
 
     def __eq__(self, other):
         if not isinstance(other, Certified):
@@ -143,16 +151,23 @@ def _count(number, what, least):
     return number
 
 
-def _bar(progress):
+@contextlib.contextmanager
+def _watched(progress):
+    """What is called with the progress, if anything; True prints it on one line of stderr."""
     if progress is not True:
-        return progress or None
-    import sys
+        yield progress or None
+        return
+    shown = []
 
     def show(done, total):
-        end = "\n" if done >= total else ""
-        print(f"\r{done}/{total}", end=end, file=sys.stderr, flush=True)
+        shown[:] = [f"{done} s" if total is None else f"{done}/{total}"]
+        print(f"\r{shown[0]}", end="", file=sys.stderr, flush=True)
 
-    return show
+    try:
+        yield show
+    finally:
+        if shown:
+            print(file=sys.stderr, flush=True)
 
 
 def coefficients(quantity, order, digits=20, law=_SPHERES, progress=None):
@@ -171,7 +186,7 @@ def coefficients(quantity, order, digits=20, law=_SPHERES, progress=None):
     law : (A, GAMMA)
         The exponents of x'' + u x^GAMMA x' + x^A = 0: text, Fraction or int.
     progress : bool or callable(done, total)
-        Whether, or how, progress is shown.
+        Whether, or how, progress is shown: True prints it on stderr. Ctrl-C ends the work.
 
     Returns
     -------
@@ -193,11 +208,12 @@ def coefficients(quantity, order, digits=20, law=_SPHERES, progress=None):
     order, digits = _count(order, "an order", 0), _count(digits, "a number of digits", 1)
     if quantity == "psi":
         return _core.psi(order, _law(law))
-    found = _core.coefficients(quantity, order, digits, _law(law), _bar(progress))
+    with _watched(progress) as watch:
+        found = _core.coefficients(quantity, order, digits, _law(law), watch)
     return [Certified(*pair) for pair in found]
 
 
-def trajectory(damping_order, time_order, law=_SPHERES):
+def trajectory(damping_order, time_order, law=_SPHERES, progress=None):
     """The exact trajectories x_0(t) .. x_N(t) of the damped collision, up to a power of time (A13), (A14).
 
     Parameters
@@ -206,6 +222,8 @@ def trajectory(damping_order, time_order, law=_SPHERES):
         N, the highest power of the damping.
     time_order : number
         The highest power of time that is wanted.
+    law, progress
+        As in `coefficients`; done and total are a percentage.
 
     Returns
     -------
@@ -223,12 +241,14 @@ def trajectory(damping_order, time_order, law=_SPHERES):
     if power <= 0:
         raise ValueError(f"a power of time is a number above 0, not {power}")
     rows = [[] for _ in range(damping_order + 1)]
-    for n, exponent, coefficient in _core.trajectory(damping_order, power, _law(law)):
+    with _watched(progress) as watch:
+        found = _core.trajectory(damping_order, power, _law(law), watch)
+    for n, exponent, coefficient in found:
         rows[n].append((exponent, coefficient))
     return rows
 
 
-def epsilon_digits(u, digits=30, law=_SPHERES, end="zero-compression", quantity="epsilon"):
+def epsilon_digits(u, digits=30, law=_SPHERES, end="zero-compression", quantity="epsilon", progress=None):
     """The coefficient of restitution by certified integration: every digit is proved.
 
     Parameters
@@ -237,6 +257,8 @@ def epsilon_digits(u, digits=30, law=_SPHERES, end="zero-compression", quantity=
         The damping, taken exactly: 0.1 is the binary number, "0.1" is 1/10.
     quantity : {"epsilon", "loss"}
         The coefficient, or 1 - epsilon to as many digits however small it is.
+    law, progress
+        As in `coefficients`; done is the seconds gone and total None, as the steps are not known before.
 
     Examples
     --------
@@ -252,7 +274,8 @@ def epsilon_digits(u, digits=30, law=_SPHERES, end="zero-compression", quantity=
     if quantity not in ("epsilon", "loss"):
         raise ValueError(f"'{quantity}' is nothing to compute: give 'epsilon' or 'loss'")
     digits = _count(digits, "a number of digits", 1)
-    return Certified(*_core.epsilon_digits(u, digits, _law(law), end, quantity == "loss"))
+    with _watched(progress) as watch:
+        return Certified(*_core.epsilon_digits(u, digits, _law(law), end, quantity == "loss", watch))
 
 
 def saturation(digits=30, law=_SPHERES):
@@ -290,13 +313,13 @@ class Approximant:
         return value(self.num) / value(self.den)
 
     def sympy(self, symbol=None):
-        """The quotient as an expression of sympy, with its digits."""
+        """The quotient as an expression of sympy, its constants with the digits that are proved."""
         import sympy
 
         x = sympy.Symbol(self.variable.replace("-", "_")) if symbol is None else symbol
 
         def value(part):
-            return sum(sympy.Float(str(c), len(str(c)) + 2) * x**k for k, c in enumerate(part))
+            return sum(sympy.Float(str(c), c._digits()) * x**k for k, c in enumerate(part))
 
         return value(self.num) / value(self.den)
 
@@ -304,8 +327,8 @@ class Approximant:
         x = {"sqrt-u": "\\sqrt{u}"}.get(self.variable, self.variable)
 
         def value(part):
-            terms = (f"{c} {x}^{{{k}}}" if k else str(c) for k, c in enumerate(part))
-            return " + ".join(terms)
+            power = ["", f" {x}", *(f" {x}^{{{k}}}" for k in range(2, len(part)))]
+            return " + ".join(c._latex() + power[k] for k, c in enumerate(part)).replace("+ -", "- ")
 
         return f"$\\frac{{{value(self.num)}}}{{{value(self.den)}}}$"
 
@@ -314,7 +337,7 @@ class Approximant:
         return f"Approximant(num={num}, den={den}, variable={self.variable!r})"
 
 
-def pade(numerator, denominator, *, variable="u", digits=17, law=_SPHERES):
+def pade(numerator, denominator, *, variable="u", digits=17, law=_SPHERES, progress=None):
     """The Padé approximant of the coefficient of restitution, its constants certified.
 
     Parameters
@@ -326,6 +349,8 @@ def pade(numerator, denominator, *, variable="u", digits=17, law=_SPHERES):
         (the [3/6] in it is the formula of Mueller and Poeschel 2011).
     digits : int
         Proved digits of each constant.
+    law, progress
+        As in `coefficients`.
 
     Examples
     --------
@@ -336,7 +361,9 @@ def pade(numerator, denominator, *, variable="u", digits=17, law=_SPHERES):
     ValueError: 'x' is no variable: give 's', 'u' or 'sqrt-u'
     """
     degrees = _count(numerator, "a degree", 0), _count(denominator, "a degree", 0)
-    parts = _core.pade(*degrees, variable, _count(digits, "a number of digits", 1), _law(law))
+    digits = _count(digits, "a number of digits", 1)
+    with _watched(progress) as watch:
+        parts = _core.pade(*degrees, variable, digits, _law(law), watch)
     num, den = ([Certified(*pair) for pair in part] for part in parts)
     return Approximant(num, den, variable)
 
@@ -373,13 +400,18 @@ class ClosedForm:
         return f"ClosedForm({self.text!r})"
 
 
-def closed_form(quantity, order, digits=30, law=_SPHERES):
+def closed_form(quantity, order, digits=30, law=_SPHERES, progress=None):
     """A coefficient of the expansion in closed form, in Beta values and, from order 5 on, iterated Beta integrals.
 
     Parameters
     ----------
     quantity : {"a", "C", "h"}
     order : int
+        Up to 12 in whole powers of u.
+    digits : int
+        Proved digits of the value: a million take seconds up to order 4.
+    law, progress
+        As in `coefficients`; done is the seconds gone and total None, as the steps are not known before.
 
     Examples
     --------
@@ -392,5 +424,6 @@ def closed_form(quantity, order, digits=30, law=_SPHERES):
     ValueError: 'y' has no closed form here: give 'C', 'a' or 'h'
     """
     order, digits = _count(order, "an order", 0), _count(digits, "a number of digits", 1)
-    *forms, value = _core.closed_form(quantity, order, digits, _law(law))
+    with _watched(progress) as watch:
+        *forms, value = _core.closed_form(quantity, order, digits, _law(law), watch)
     return ClosedForm(*forms, Certified(*value))
