@@ -5,7 +5,8 @@
 use crate::support::{cases, generator};
 use proptest::prelude::*;
 use restitution::codes::{
-    ConstantRestitution, EsysParticle, LammpsGranular, LammpsHertzHistory, Liggghts, MercuryDpm, Yade,
+    Chrono, ConstantCode, ConstantRestitution, EsysParticle, LammpsGranular, LammpsHertzHistory, Liggghts,
+    MercuryDpm, Yade,
 };
 use restitution::{Contact, End, MaterialError, ViscoelasticContact};
 
@@ -91,6 +92,7 @@ fn every_code_comes_back() {
                 Liggghts::new(&pair, end).unwrap().contact(r, m).unwrap(),
                 MercuryDpm::new(&pair).contact(r, m).unwrap(),
                 EsysParticle::new(&pair, nu).unwrap().contact(r, m).unwrap(),
+                Chrono::new(&pair).unwrap().contact(r, m).unwrap(),
             ];
             for other in back {
                 prop_assert!(close(other.dissipative_constant(), a, 8.0));
@@ -148,6 +150,128 @@ fn the_constant_law_solves_its_equation() {
         }
         assert!((-v - law.epsilon(End::ZeroForce)).abs() < 1e-4, "c = {c}");
     }
+}
+
+/// The rebound of `m_eff = 1e-4 kg` at 0.3 m/s under a force of compression and its rate, by small steps of the classical Runge-Kutta method.
+fn rebound(force: impl Fn(f64, f64) -> f64, end: End) -> f64 {
+    const M: f64 = 1e-4;
+    let (mut x, mut v) = (0.0_f64, 0.3_f64);
+    let dt = 2e-9; // some 1e5 steps in a collision
+    loop {
+        let at = |x: f64, v: f64| (v, -force(x.max(0.0), v) / M);
+        let (k1, k2, k3, k4);
+        k1 = at(x, v);
+        k2 = at(x + 0.5 * dt * k1.0, v + 0.5 * dt * k1.1);
+        k3 = at(x + 0.5 * dt * k2.0, v + 0.5 * dt * k2.1);
+        k4 = at(x + dt * k3.0, v + dt * k3.1);
+        x += dt / 6.0 * (k1.0 + 2.0 * k2.0 + 2.0 * k3.0 + k4.0);
+        v += dt / 6.0 * (k1.1 + 2.0 * k2.1 + 2.0 * k3.1 + k4.1);
+        if x <= 0.0 || (end == End::ZeroForce && v < 0.0 && force(x, v) <= 0.0) {
+            return -v / 0.3;
+        }
+    }
+}
+
+#[test]
+fn the_forces_of_the_sources_rebound_as_promised() {
+    // each force as the source of the code has it, for R_eff = 2.5 mm, m_eff = 1e-4 kg, E = 0.5 GPa, told what `input` says
+    let (r, m, e_eff) = (2.5e-3_f64, 1e-4_f64, 5e8_f64);
+    for wanted in [0.3, 0.6, 0.9] {
+        let told = |code: ConstantCode| {
+            let end = code.ends()[0];
+            code.input(&ConstantRestitution::that_gives(wanted, end).unwrap()).unwrap()
+        };
+        let sn = |x: f64| 2.0 * e_eff * (r * x).sqrt();
+        let beta = |e: f64, pi_squared: f64| e.ln() / (e.ln().powi(2) + pi_squared).sqrt();
+        let pi_squared = std::f64::consts::PI.powi(2);
+        let e = told(ConstantCode::Chrono);
+        let chrono = rebound(
+            |x, v| {
+                2.0 / 3.0 * sn(x) * x
+                    - 2.0 * (5.0_f64 / 6.0).sqrt() * beta(e, pi_squared) * (sn(x) * m).sqrt() * v
+            },
+            End::ZeroForce,
+        );
+        let e = told(ConstantCode::DemEngine);
+        let dem_engine = rebound(
+            |x, v| {
+                2.0 / 3.0 * sn(x) * x
+                    - 2.0 * (5.0_f64 / 6.0).sqrt() * beta(e, pi_squared) * (sn(x) * m).sqrt() * v
+            },
+            End::ZeroCompression,
+        );
+        let e = told(ConstantCode::Lethe);
+        let lethe = rebound(
+            |x, v| 0.66665 * sn(x) * x - 1.8257 * beta(e, 9.8696) * (sn(x) * m).sqrt() * v,
+            End::ZeroCompression,
+        );
+        let e = told(ConstantCode::Mfix);
+        let hert_kn = 4.0 / 3.0 * r.sqrt() * e_eff;
+        let etan = 2.0 * (hert_kn * m).sqrt() * e.ln().abs() / (pi_squared + e.ln().powi(2)).sqrt();
+        let mfix = rebound(|x, v| hert_kn * x.sqrt() * x + etan * x.sqrt().sqrt() * v, End::ZeroCompression);
+        let e = told(ConstantCode::TrixiParticles);
+        let per_overlap = |x: f64| 4.0 * e_eff * (r * x).sqrt() / 3.0;
+        // its relative velocity along the normal is that of parting
+        let trixi = rebound(
+            |x, v| per_overlap(x) * x + e * 2.0 * (m * per_overlap(x)).sqrt() * -v,
+            End::ZeroCompression,
+        );
+        let e = told(ConstantCode::Kratos);
+        let h = [
+            -6.918798, -16.41105, 146.8049, -796.4559, 2928.711, -7206.864, 11494.29, -11342.18, 6276.757,
+            -1489.915,
+        ];
+        let alpha = (0..10).map(|k| h[k] * e.powi(k as i32 + 1)).sum::<f64>();
+        let gamma = (1.0 / (1.0 - (1.0 + e).powi(2) * alpha.exp()) - 1.0).sqrt();
+        let kratos =
+            rebound(|x, v| 2.0 / 3.0 * sn(x) * x + 2.0 * gamma * (m * sn(x)).sqrt() * v, End::ZeroForce);
+        assert!((e - wanted).abs() < 3e-3, "Kratos' fit is a good one: {e}");
+        for (code, seen) in [
+            ("Chrono", chrono),
+            ("DEM-Engine", dem_engine),
+            ("Lethe", lethe),
+            ("MFiX", mfix),
+            ("Trixi", trixi),
+            ("Kratos", kratos),
+        ] {
+            assert!((seen - wanted).abs() < 2e-5, "{code}: {seen} instead of {wanted}");
+        }
+    }
+    // Chrono without material properties is viscoelastic
+    for (u, _, zero_force) in RUNS {
+        let pair = ViscoelasticContact::new(contact(), a_of(u, 0.3)).unwrap();
+        let Chrono { kn, gn } = Chrono::new(&pair).unwrap();
+        let factor = |x: f64| 2.5e-3 * x.sqrt();
+        let seen = rebound(|x, v| factor(x) * (kn * x + 1e-4 * gn * v), End::ZeroForce);
+        assert!((seen - zero_force).abs() < 2e-5, "u = {u}: {seen}");
+    }
+}
+
+#[test]
+fn constant_codes_come_back_or_refuse() {
+    use ConstantCode::{Chrono, DemEngine, Kratos, Lammps, Lethe, Liggghts, Mfix, TrixiParticles};
+    for code in [Lammps, Liggghts, Chrono, DemEngine, Lethe, Mfix, Kratos, TrixiParticles] {
+        for end in code.ends() {
+            for k in 4..99 {
+                let wanted = f64::from(k) / 100.0;
+                let law = ConstantRestitution::that_gives(wanted, *end).unwrap();
+                match code.input(&law) {
+                    Ok(input) => {
+                        let seen = code.law(input).unwrap().epsilon(*end);
+                        assert!((seen - wanted).abs() < 1e-12, "{code:?} {end:?} {wanted}: {seen}");
+                    }
+                    // beyond critical damping there is no coefficient to tell
+                    Err(error) => {
+                        assert!(*end == End::ZeroForce && wanted < 0.136, "{code:?} {wanted}: {error}")
+                    }
+                }
+            }
+        }
+    }
+    for bad in [0.0, 1.0, -0.1, f64::NAN] {
+        assert!(Mfix.law(bad).is_err() && Kratos.law(bad).is_err() && Lethe.law(bad).is_err());
+    }
+    assert!(TrixiParticles.law(0.1).is_err()); // drives the spheres apart
 }
 
 #[test]

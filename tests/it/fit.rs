@@ -2,8 +2,8 @@
 
 use crate::support::{cases, generator};
 use proptest::prelude::RngExt;
-use restitution::{End, Restitution};
-use restitution_fit::{Fit, FitError, Loss, Measurement, fit};
+use restitution::{Contact, End, Restitution, ViscoelasticContact};
+use restitution_fit::{Fit, FitError, Loss, Measurement, fit, stiffness};
 
 const ENDS: [End; 2] = [End::ZeroCompression, End::ZeroForce];
 const LOSSES: [Loss; 2] = [Loss::Squares, Loss::Huber];
@@ -183,6 +183,73 @@ fn the_interval_holds_the_velocity_as_often_as_it_says() {
         assert!(
             fitted > tables * 99 / 100 && (share - 0.95).abs() < 4.0 * (0.95 * 0.05 / fitted as f64).sqrt()
         );
+    }
+}
+
+/// Rows of a contact in cm/s with their durations in s, and relative noise of both.
+fn lasting(
+    pair: &ViscoelasticContact,
+    end: End,
+    n: usize,
+    mut noise: impl FnMut() -> (f64, f64),
+) -> (Vec<Measurement>, Vec<f64>) {
+    let row = |k: usize| {
+        let g = 0.02 * 100.0_f64.powf(k as f64 / (n - 1) as f64);
+        let (of_epsilon, of_duration) = noise();
+        let epsilon = pair.epsilon(g, end).unwrap() + of_epsilon;
+        let duration = pair.course(g, end).unwrap().unwrap().duration * f64::exp(of_duration);
+        (Measurement::new(100.0 * g, epsilon).unwrap(), duration)
+    };
+    (0..n).map(row).unzip()
+}
+
+#[test]
+fn durations_give_stiffness_and_damping() {
+    let contact = Contact::new(0.01, 0.02, 3e8).unwrap();
+    let pair = ViscoelasticContact::new(contact, 2e-5).unwrap();
+    let rate = contact.force_prefactor() / contact.effective_mass();
+    for end in ENDS {
+        // few rows are integrated, many interpolated
+        for n in [2, 5, 3000] {
+            let (rows, durations) = lasting(&pair, end, n, || (0.0, 0.0));
+            let fitted = fit(&rows, end, Loss::Squares).unwrap();
+            let found = stiffness(&rows, &durations, 0.01, &fitted).unwrap();
+            assert!((found.per_mass / rate - 1.0).abs() < 1e-7, "{end:?} {n}: {found:?}");
+            assert!((found.dissipative_constant / 2e-5 - 1.0).abs() < 1e-7, "{end:?} {n}: {found:?}");
+            assert!((found.rows, found.beyond) == (n, 0) && found.scatter < 1e-6);
+        }
+    }
+    let (rows, mut durations) = lasting(&pair, End::ZeroForce, 4, || (0.0, 0.0));
+    let fitted = fit(&rows, End::ZeroForce, Loss::Squares).unwrap();
+    durations[2] = f64::NAN;
+    assert!(matches!(stiffness(&rows, &durations, 0.01, &fitted), Err(FitError::Duration { .. })));
+}
+
+#[test]
+fn the_intervals_of_stiffness_and_damping_hold_them() {
+    let contact = Contact::new(0.01, 0.02, 3e8).unwrap();
+    let pair = ViscoelasticContact::new(contact, 2e-5).unwrap();
+    let rate = contact.force_prefactor() / contact.effective_mass();
+    let tables = cases(250);
+    let inside = |value: f64, (low, high): (f64, f64)| usize::from(low <= value && value <= high);
+    for (case, (n, of_epsilon, of_duration)) in [(6, 0.01, 0.03), (20, 0.03, 0.005)].into_iter().enumerate() {
+        let mut generator = generator(71 + case as u64, 1);
+        let end = ENDS[case];
+        let (mut stiff, mut damped) = (0, 0);
+        for _ in 0..tables {
+            let mut noise = || (of_epsilon * normal(generator.rng()), of_duration * normal(generator.rng()));
+            let (rows, durations) = lasting(&pair, end, n, &mut noise);
+            let fitted = fit(&rows, end, Loss::Squares).unwrap();
+            let found = stiffness(&rows, &durations, 0.01, &fitted).unwrap();
+            stiff += inside(rate, found.per_mass_interval);
+            damped += inside(2e-5, found.dissipative_interval);
+        }
+        println!("n = {n}: rho/m_eff {stiff}, A {damped} of {tables}");
+        // four standard deviations of a share of 0.95, and a little for the quantile of two variances
+        for held in [stiff, damped] {
+            let share = held as f64 / tables as f64;
+            assert!((share - 0.95).abs() < 4.0 * (0.95 * 0.05 / tables as f64).sqrt() + 0.01, "{share}");
+        }
     }
 }
 

@@ -36,6 +36,14 @@ pub enum FitError {
         /// The value that was given.
         value: f64,
     },
+    /// Each row has one duration.
+    #[error("there are {durations} durations of {rows} rows: give one for each")]
+    Durations {
+        /// The rows at hand.
+        rows: usize,
+        /// The durations at hand.
+        durations: usize,
+    },
     /// Two flights, that is three increasing times, make a collision.
     #[error(
         "{number} times of impacts make no collision: give at least three, each later than the one before"

@@ -182,7 +182,7 @@ fn result(
 }
 
 /// The two-sided quantile of the normal distribution or of Student's.
-fn quantile(normal: bool, degrees: f64) -> f64 {
+pub(crate) fn quantile(normal: bool, degrees: f64) -> f64 {
     let upper = 0.5 + 0.5 * LEVEL;
     if normal {
         return Normal::standard().inverse_cdf(upper);

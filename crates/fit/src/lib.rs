@@ -10,6 +10,7 @@ mod laws;
 mod measurement;
 mod problem;
 pub mod sheet;
+mod stiffness;
 
 pub use adequacy::{Adequacy, Departure, FALSE_ALARMS, Test, adequacy};
 pub use data::{Data, DataError, DataOptions, Method};
@@ -17,6 +18,7 @@ pub use error::FitError;
 pub use fit::{Fit, Loss, fit};
 pub use laws::{Law, LawFit, compare};
 pub use measurement::{LARGEST_MEASURED_EPSILON, Measurement, STANDARD_GRAVITY, bounces};
+pub use stiffness::{Stiffness, stiffness};
 
 /// The README's code runs as a documentation test.
 #[cfg(doctest)]

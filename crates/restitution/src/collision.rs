@@ -65,6 +65,75 @@ impl ViscoelasticContact {
         Self::with_damping(contact, damping_of(epsilon, end)? / root)
     }
 
+    /// Returns the contact that loses `lost = 1 - epsilon` at impact velocity `velocity` (m/s), for coefficients near 1.
+    ///
+    /// # Errors
+    ///
+    /// As [`from_measurement`](Self::from_measurement).
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution::{Contact, End, MaterialError, ViscoelasticContact, one_minus_epsilon};
+    ///
+    /// let (contact, end) = (Contact::new(0.01, 0.1, 1e9)?, End::ZeroCompression);
+    /// let pair = ViscoelasticContact::from_loss(contact, 0.5, 1e-12, end)?; // epsilon = 0.999999999999
+    /// assert!((one_minus_epsilon(pair.u(0.5)?, end) / 1e-12 - 1.0).abs() < 1e-14);
+    ///
+    /// assert_eq!(ViscoelasticContact::from_loss(contact, 0.5, 0.0, end), Err(MaterialError::Epsilon { value: 1.0 }));
+    /// # Ok::<(), MaterialError>(())
+    /// ```
+    pub fn from_loss(contact: Contact, velocity: f64, lost: f64, end: End) -> Result<Self, MaterialError> {
+        let root = fifth_root(positive("velocity", velocity)?);
+        Self::with_damping(contact, damping_of_loss(lost, end)? / root)
+    }
+
+    /// Returns the contact of which a collision at `velocity` (m/s) lost `lost = 1 - epsilon` and lasted `duration` (s).
+    ///
+    /// The coefficient gives `u`, the duration the time unit, and both together the force without any elastic constant:
+    ///
+    /// ```text
+    /// tau = t_c/T(u),   rho = m_eff tau^(-5/2) g^(-1/2),   A = (2/3) u tau
+    /// ```
+    ///
+    /// with the duration `T(u)` of the scaled collision ([`Course`]).
+    ///
+    /// # Errors
+    ///
+    /// As [`from_measurement`](Self::from_measurement); [`MaterialError::NotFollowed`] for `u` beyond [`LARGEST_FOLLOWED_U`](crate::LARGEST_FOLLOWED_U).
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution::{Contact, End, MaterialError, ViscoelasticContact};
+    ///
+    /// let pair = ViscoelasticContact::new(Contact::new(0.01, 0.1, 1e9)?, 1e-5)?;
+    /// let end = End::ZeroForce;
+    /// let (lost, duration) = (1.0 - pair.epsilon(0.5, end)?, pair.course(0.5, end)?.unwrap().duration);
+    /// let found = ViscoelasticContact::from_duration(0.01, 0.1, 0.5, lost, duration, end)?;
+    /// assert!((found.dissipative_constant() / 1e-5 - 1.0).abs() < 1e-12);
+    /// assert!((found.contact().effective_modulus() / 1e9 - 1.0).abs() < 1e-12);
+    ///
+    /// assert!(ViscoelasticContact::from_duration(0.01, 0.1, 0.5, lost, 0.0, end).is_err());
+    /// # Ok::<(), MaterialError>(())
+    /// ```
+    pub fn from_duration(
+        radius: f64,
+        mass: f64,
+        velocity: f64,
+        lost: f64,
+        duration: f64,
+        end: End,
+    ) -> Result<Self, MaterialError> {
+        let u = damping_of_loss(lost, end)?;
+        let scaled = Course::follow(u, end).ok_or(MaterialError::NotFollowed { u })?;
+        let tau = positive("duration", duration)? / scaled.duration;
+        let rho =
+            positive("effective mass", mass)? / (tau * tau * (tau * positive("velocity", velocity)?).sqrt());
+        let contact = Contact::with_prefactor(radius, mass, in_range("force prefactor", rho)?)?;
+        Self::new(contact, in_range("dissipative constant A", u * tau / 1.5)?)
+    }
+
     /// Returns the contact with `u = damping g^(1/5)`.
     fn with_damping(contact: Contact, damping: f64) -> Result<Self, MaterialError> {
         let a = in_range("dissipative constant A", damping / (1.5 * contact.rate()))?;
@@ -206,9 +275,38 @@ pub fn characteristic_velocity_from(velocity: f64, epsilon: f64, end: End) -> Re
     in_range("characteristic velocity g*", positive("velocity", velocity)? / s.powi(5))
 }
 
+/// Returns the characteristic velocity of a collision that lost `lost = 1 - epsilon`, for coefficients near 1.
+///
+/// # Errors
+///
+/// As [`characteristic_velocity_from`].
+///
+/// # Examples
+///
+/// ```
+/// use restitution::{End, characteristic_velocity_from, characteristic_velocity_from_loss};
+///
+/// let end = End::ZeroForce;
+/// let one = characteristic_velocity_from_loss(0.5, 0.25, end)?;
+/// assert!((one / characteristic_velocity_from(0.5, 0.75, end)? - 1.0).abs() < 1e-14);
+/// assert!(characteristic_velocity_from_loss(0.5, 0.0, end).is_err());
+/// # Ok::<(), restitution::MaterialError>(())
+/// ```
+pub fn characteristic_velocity_from_loss(velocity: f64, lost: f64, end: End) -> Result<f64, MaterialError> {
+    let s = SLOPE * damping_of_loss(lost, end)?;
+    in_range("characteristic velocity g*", positive("velocity", velocity)? / s.powi(5))
+}
+
 fn damping_of(epsilon: f64, end: End) -> Result<f64, MaterialError> {
     if !(epsilon > 0.0 && epsilon < 1.0) {
         return Err(MaterialError::Epsilon { value: epsilon });
     }
     in_range("damping parameter u", crate::u_of_epsilon(epsilon, end))
+}
+
+fn damping_of_loss(lost: f64, end: End) -> Result<f64, MaterialError> {
+    if !(lost > 0.0 && lost < 1.0) {
+        return Err(MaterialError::Epsilon { value: 1.0 - lost });
+    }
+    in_range("damping parameter u", crate::u_of_one_minus_epsilon(lost, end))
 }

@@ -52,6 +52,18 @@ pub enum MaterialError {
         /// The end that was asked for.
         end: End,
     },
+    /// The course of a collision is followed up to a certain damping.
+    NotFollowed {
+        /// The damping parameter `u`.
+        u: f64,
+    },
+    /// No input of the code makes this coefficient.
+    EpsilonNotOffered {
+        /// The code.
+        code: &'static str,
+        /// The coefficient that was wanted.
+        value: f64,
+    },
     /// The time step that was asked about is outside the range where the error was measured.
     TimeStepRange {
         /// The damping parameter `u`.
@@ -93,6 +105,17 @@ impl fmt::Display for MaterialError {
                     End::ZeroForce => ("zero force", "zero compression"),
                 };
                 write!(f, "{code} does not end a contact at {asked}: ask for {other}")
+            }
+            Self::NotFollowed { u } => write!(
+                f,
+                "durations are known up to u = {:?} only, and u is {u:?}: measure at a lower velocity",
+                crate::LARGEST_FOLLOWED_U
+            ),
+            Self::EpsilonNotOffered { code, value } => {
+                write!(
+                    f,
+                    "no input of {code} makes a coefficient of {value:.4}: give one nearer to the middle, or another code"
+                )
             }
             Self::TimeStepRange { u, largest } => write!(
                 f,

@@ -30,23 +30,45 @@ const STEPS: usize = 40;
 /// ```
 #[must_use]
 pub fn u_of_epsilon(epsilon: f64, end: End) -> f64 {
-    if !(0.0..=1.0).contains(&epsilon) {
-        return f64::NAN;
-    }
+    if (0.0..=1.0).contains(&epsilon) { solve(epsilon, 1.0 - epsilon, end) } else { f64::NAN }
+}
+
+/// Returns the `u` at which a collision loses `lost = 1 - epsilon`: the inverse of [`crate::one_minus_epsilon`].
+///
+/// Of a coefficient near 1, `1 - epsilon` has digits that `epsilon` in double precision lacks. 0 for 0, infinite for 1, NaN outside `[0, 1]`.
+///
+/// # Error bound
+///
+/// That of [`u_of_epsilon`], for `1 - epsilon` down to the smallest.
+///
+/// # Examples
+///
+/// ```
+/// use restitution::{End, one_minus_epsilon, u_of_one_minus_epsilon};
+///
+/// let u = u_of_one_minus_epsilon(1e-12, End::ZeroCompression); // of epsilon = 0.999999999999
+/// assert!((one_minus_epsilon(u, End::ZeroCompression) / 1e-12 - 1.0).abs() < 1e-15);
+/// assert!(u_of_one_minus_epsilon(-1e-12, End::ZeroForce).is_nan());
+/// ```
+#[must_use]
+pub fn u_of_one_minus_epsilon(lost: f64, end: End) -> f64 {
+    if (0.0..=1.0).contains(&lost) { solve(1.0 - lost, lost, end) } else { f64::NAN }
+}
+
+fn solve(epsilon: f64, lost: f64, end: End) -> f64 {
     if epsilon == 0.0 {
         return f64::INFINITY;
     }
-    let lost = 1.0 - epsilon;
     match end {
         End::ZeroCompression if lost < zero_compression::near(compression::NEAR_END) => {
             near_zero(lost, zero_compression::near)
         }
         End::ZeroForce if lost < zero_force::near(force::NEAR_END) => near_zero(lost, zero_force::near),
         End::ZeroCompression if epsilon >= crate::epsilon(compression::FAR, end) => {
-            in_table(&compression::PIECES, &compression::GRID, epsilon)
+            in_table(&compression::PIECES, &compression::GRID, epsilon, lost)
         }
         End::ZeroForce if epsilon >= crate::epsilon(force::FAR, end) => {
-            in_table(&force::PIECES, &force::GRID, epsilon)
+            in_table(&force::PIECES, &force::GRID, epsilon, lost)
         }
         End::ZeroCompression => saturated(epsilon),
         End::ZeroForce => overdamped(epsilon),
@@ -67,14 +89,13 @@ fn near_zero(lost: f64, loss: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// Finds the piece by halving, as `epsilon` falls, then solves `c_0 + t slope(t) = epsilon`.
-fn in_table(pieces: &[Piece], grid: &Grid, epsilon: f64) -> f64 {
+fn in_table(pieces: &[Piece], grid: &Grid, epsilon: f64, lost: f64) -> f64 {
     let value = |index: usize| pieces[index].constant();
     let below = pieces.partition_point(|piece| piece.constant() > epsilon).clamp(1, pieces.len() - 1);
     let nearer_above = value(below - 1) - epsilon < epsilon - value(below);
     let index = if nearer_above { below - 1 } else { below };
     let piece = &pieces[index];
-    let wanted =
-        if epsilon > 0.5 { piece.complement() - (1.0 - epsilon) } else { epsilon - piece.constant() };
+    let wanted = if epsilon > 0.5 { piece.complement() - lost } else { epsilon - piece.constant() };
     let mut t = wanted / piece.slope(0.0);
     for _ in 0..STEPS {
         let next = wanted / piece.slope(t);
@@ -139,6 +160,8 @@ mod tests {
             for wanted in [f64::from(i) / 2000.0, 0.99_f64.powi(i), 1.0 - 0.985_f64.powi(i)] {
                 for end in [End::ZeroCompression, End::ZeroForce] {
                     let back = epsilon(u_of_epsilon(wanted, end), end);
+                    let loss = crate::one_minus_epsilon(u_of_one_minus_epsilon(wanted, end), end);
+                    assert!((loss / wanted - 1.0).abs() <= 1e-15 || wanted > 0.5, "{wanted}: {loss}");
                     let lost = crate::one_minus_epsilon(u_of_epsilon(wanted, end), end);
                     assert!(wanted < 0.5 || (lost / (1.0 - wanted) - 1.0).abs() <= 1e-15, "{wanted}: {lost}");
                     assert!((back / wanted - 1.0).abs() <= 1e-15, "{wanted}: {back}");

@@ -37,7 +37,7 @@ mod validity;
 
 pub use batch::{epsilon_batch, one_minus_epsilon_batch, u_of_epsilon_batch};
 #[cfg(feature = "std")]
-pub use collision::{ViscoelasticContact, characteristic_velocity_from};
+pub use collision::{ViscoelasticContact, characteristic_velocity_from, characteristic_velocity_from_loss};
 #[cfg(feature = "std")]
 pub use contact::{Contact, Plane, effective};
 #[cfg(feature = "std")]
@@ -49,7 +49,7 @@ pub use epsilon::{epsilon, one_minus_epsilon};
 #[cfg(feature = "std")]
 pub use error::MaterialError;
 pub use fifth_root::fifth_root;
-pub use inverse::u_of_epsilon;
+pub use inverse::{u_of_epsilon, u_of_one_minus_epsilon};
 #[cfg(feature = "std")]
 pub use material::{Material, Sphere, sphere_mass};
 #[cfg(feature = "std")]

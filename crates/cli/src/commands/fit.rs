@@ -3,11 +3,14 @@
 mod report;
 mod source;
 
-use crate::args::{EndArgs, EndOfContact};
+use super::material::UnitArg;
+use super::material::bodies::BodyArgs;
+use super::material::code::{Code, Dissipation, Request};
+use crate::args::EndOfContact;
 use crate::units::{Dimension, Quantity};
 use crate::{CliError, OutputArgs, progress};
 use restitution::End;
-use restitution_fit::{Data, Law, Loss, adequacy, compare, fit};
+use restitution_fit::{Data, Fit, Law, Loss, Stiffness, adequacy, compare, fit, stiffness};
 use source::SourceArgs;
 
 /// Arguments of `restitution fit`.
@@ -15,7 +18,8 @@ use source::SourceArgs;
 #[command(after_help = "Examples:\n  restitution fit data.csv\n  \
     restitution fit data.txt --columns 2,4 --velocity-unit cm/s --between 1cm/s,50cm/s\n  \
     restitution fit drops.csv --measured-as heights --table laws\n  \
-    restitution fit --example ice --between 0.3cm/s,5cm/s --table laws --printed-formula")]
+    restitution fit --example ice --between 0.3cm/s,5cm/s --table laws --printed-formula\n  \
+    restitution fit data.csv --code lammps --young 1GPa --poisson 0.3 --density 2500kg/m3 --radius 5mm")]
 pub struct FitArgs {
     #[command(flatten)]
     source: SourceArgs,
@@ -31,10 +35,19 @@ pub struct FitArgs {
     /// Compare formula (35) as the paper prints it, too
     #[arg(long)]
     printed_formula: bool,
-    #[command(flatten)]
-    end: EndArgs,
+    /// Where the contact ends [default: zero-compression, or where the code ends it]
+    #[arg(long, value_enum, value_name = "END")]
+    end: Option<EndOfContact>,
+    /// Print the input lines of a discrete-element code for bodies of this g*
+    #[arg(long, value_enum, value_name = "CODE", conflicts_with_all = ["table", "printed_formula"])]
+    code: Option<Code>,
+    /// The unit system of the code's input
+    #[arg(long, value_enum, value_name = "SYSTEM", requires = "code")]
+    units: Option<UnitArg>,
     #[command(flatten)]
     output: OutputArgs,
+    #[command(flatten)]
+    bodies: BodyArgs,
 }
 
 /// How residuals count.
@@ -72,8 +85,37 @@ impl FitArgs {
         self.output.check()?;
         let mut data = progress::during("reading", || self.source.read())?;
         self.restrict(&mut data)?;
+        if let Some(code) = self.code {
+            let lines = progress::during("fitting", || self.lines(code, &data))?;
+            return self.output.print_lines(&lines);
+        }
+        if self.bodies.is_given() && (data.durations.is_empty() || self.table != Show::Fit) {
+            return Err(CliError::usage(
+                "bodies serve --code, and durations of contacts in the table: give --code, or leave the bodies out",
+            ));
+        }
         let table = progress::during("fitting", || self.make(&data))?;
         self.output.print(&table)
+    }
+
+    /// The lines of a code, with what was fitted above them.
+    fn lines(&self, code: Code, data: &Data) -> Result<String, CliError> {
+        let end = code.end(self.end)?;
+        let result = fit(&data.rows, end, self.loss()).map_err(CliError::failure)?;
+        let verdict = adequacy(&data.rows, &result).map_err(CliError::failure)?;
+        let stiffness = lasting(data, &result)?;
+        let request = Request {
+            bodies: &self.bodies,
+            dissipation: Dissipation::Fitted {
+                g_star: result.characteristic_velocity * data.unit_size,
+                per_mass: stiffness.map(|found| found.per_mass),
+                says: report::in_a_line(data, &result, &verdict),
+            },
+            velocities: Vec::new(),
+            units: UnitArg::system(self.units),
+            end: self.end,
+        };
+        request.lines(code)
     }
 
     /// Leaves out what `--between` leaves out, and says so.
@@ -98,28 +140,46 @@ impl FitArgs {
             let laws = Law::USUAL.into_iter().chain(printed).collect::<Vec<_>>();
             return Ok(report::laws(data, &compare(&data.rows, &laws).map_err(CliError::failure)?));
         }
-        let loss = match self.loss {
-            LossArg::Squares => Loss::Squares,
-            LossArg::Huber => Loss::Huber,
-        };
-        let result = fit(&data.rows, end, loss).map_err(CliError::failure)?;
+        let result = fit(&data.rows, end, self.loss()).map_err(CliError::failure)?;
         let verdict = || adequacy(&data.rows, &result).map_err(CliError::failure);
         Ok(match self.table {
             Show::Residuals => report::residuals(data, &result),
             Show::Tests => report::tests(&verdict()?, &result),
             _ => {
                 let laws = compare(&data.rows, &Law::USUAL).map_err(CliError::failure)?;
-                report::summary(data, &result, &verdict()?, &laws)
+                let mut table = report::summary(data, &result, &verdict()?, &laws);
+                if let Some(found) = lasting(data, &result)? {
+                    report::add_stiffness(&mut table, &found);
+                    if self.bodies.is_given() {
+                        report::add_bodies(&mut table, &found, self.bodies.radius_and_mass()?);
+                    }
+                }
+                table
             }
         })
     }
 
+    fn loss(&self) -> Loss {
+        match self.loss {
+            LossArg::Squares => Loss::Squares,
+            LossArg::Huber => Loss::Huber,
+        }
+    }
+
     fn end(&self) -> End {
-        match self.end.end {
+        match self.end.unwrap_or_default() {
             EndOfContact::ZeroCompression => End::ZeroCompression,
             EndOfContact::ZeroForce => End::ZeroForce,
         }
     }
+}
+
+/// Stiffness and damping, if the table has durations.
+fn lasting(data: &Data, result: &Fit) -> Result<Option<Stiffness>, CliError> {
+    if data.durations.is_empty() {
+        return Ok(None);
+    }
+    stiffness(&data.rows, &data.durations, data.unit_size, result).map(Some).map_err(CliError::failure)
 }
 
 fn between(text: &str) -> Result<(Quantity, Quantity), String> {

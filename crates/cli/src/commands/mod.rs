@@ -61,7 +61,7 @@ pub enum Command {
     /// Write the completions of a shell, or the manual page
     Completions(completions::CompletionsArgs),
     /// Fit the characteristic velocity g* to measured coefficients of restitution
-    Fit(fit::FitArgs),
+    Fit(Box<fit::FitArgs>),
     /// What follows from a material, a measurement or the input of a discrete-element code
     Material(Box<material::MaterialArgs>),
     /// Padé approximants: constants, verdicts, maps, recommended and published ones

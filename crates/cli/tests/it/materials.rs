@@ -111,6 +111,188 @@ fn lines_work_where_they_are_pasted() {
     assert!(succeed("trajectory --damping-order 1 --time-order 1").contains("O(t^"));
 }
 
+const GLASS: &str = "material --young 1GPa --poisson 0.3 --density 2500kg/m3 --radius 5mm";
+
+#[test]
+fn a_collision_is_given_as_it_was_measured() {
+    let a = |options: &str| value(&succeed(&format!("{GLASS} {options} --format csv")), "A");
+    let pair = a("--measured 2.45166250m/s,0.5");
+    // sqrt(2 * 9.80665 h) = 2.4516625 at h = 0.30645781..., a quarter of it back
+    for same in [
+        "--speeds 2.4516625m/s,1.22583125m/s",
+        "--speeds -2.4516625,1.22583125",
+        "--heights 30.645781250cm,7.6614453125cm",
+        "--bounce-times 1s,1.5s,1.75s",
+    ] {
+        assert!((a(same) / pair - 1.0).abs() < 1e-9, "{same}: {}", a(same));
+    }
+    // 1 - epsilon = 1e-12 to ten digits: A is proportional to it
+    let near = |epsilon: &str| a(&format!("--measured 1m/s,{epsilon}"));
+    assert!((near("0.999999999999") / near("0.9999999999") * 100.0 - 1.0).abs() < 1e-9);
+    // how long a contact lasts, in place of elastic constants, and back
+    let course = succeed(&format!("{GLASS} --measured 1m/s,0.6 --velocity 1m/s --format csv"));
+    let lasted = value(&course, "t_c");
+    let out = succeed(&format!(
+        "material --measured 1m/s,0.6 --duration {lasted}s --density 2500kg/m3 --radius 5mm --format csv"
+    ));
+    for symbol in ["E", "rho", "A", "g*"] {
+        assert!((value(&out, symbol) / value(&course, symbol) - 1.0).abs() < 1e-8, "{symbol}: {out}");
+    }
+    for (options, remedy) in [
+        ("--heights 30cm", "has 1 values instead of 2"),
+        ("--heights 30cm,-3cm", "the height of the rebound is -3cm"),
+        ("--heights 30cm,30cm", "strictly between 0 and 1"),
+        ("--speeds 0,1", "the speed before is 0"),
+        ("--bounce-times 0s,1s,1s", "do not increase"),
+        ("--bounce-times 0s,4s,7s,9s", "restitution fit"),
+        ("--heights 30cm,3", "give the unit with every value"),
+        ("--heights 3,2 --gravity 0", "gravity must be positive"),
+        ("--measured 1,0.5 --speeds 1,0.5", "cannot be used with"),
+        ("--measured 1,0.5 --duration 1us", "cannot be used with"), // and --young
+        ("--duration 1us", "cannot be used with"),
+    ] {
+        let (code, message) = fail(&format!("{GLASS} {options}"));
+        assert!(code == 2 && message.contains(remedy), "{options}: {message}");
+    }
+}
+
+#[test]
+fn a_time_step_is_judged() {
+    let rows = |options: &str| {
+        succeed(&format!("{GLASS} --measured 50cm/s,0.7 --velocity 50cm/s {options} --format csv"))
+    };
+    let asked = rows("--error 1e-4");
+    let given = rows(&format!("--time-step {}s", value(&asked, "dt")));
+    assert!((value(&given, "d_eps") / 1e-4 - 1.0).abs() < 1e-8, "{given}");
+    // pi R sqrt(density/G)/(0.1631 nu + 0.8766), G = Y/(2 (1 + nu))
+    let rayleigh = std::f64::consts::PI * 5e-3 * (2500.0 * 2.6 / 1e9_f64).sqrt() / (0.1631 * 0.3 + 0.8766);
+    assert!((value(&given, "t_R") / rayleigh - 1.0).abs() < 1e-9);
+    assert!(fail(&format!("{GLASS} --g-star 1 --time-step 1us")).1.contains("give --velocity"));
+}
+
+#[test]
+fn unlike_spheres_have_a_line_for_each_pair() {
+    let out = succeed(&format!("{GLASS} --radius2 2mm --measured 50cm/s,0.7 --code lammps"));
+    let lines = out.lines().filter(|line| line.starts_with("pair_coeff")).collect::<Vec<_>>();
+    assert_eq!(lines.len(), 3);
+    // each line means the same A for its own effective radius and mass
+    let mass = |radius: f64| 4.0 / 3.0 * std::f64::consts::PI * 2500.0 * radius.powi(3);
+    for (line, types, (one, other)) in
+        [(lines[0], "1 1", (5e-3, 5e-3)), (lines[1], "1 2", (5e-3, 2e-3)), (lines[2], "2 2", (2e-3, 2e-3))]
+    {
+        assert!(line.starts_with(&format!("pair_coeff {types} hertz ")), "{line}");
+        let words = line.split(' ').collect::<Vec<_>>();
+        let (k_n, eta): (f64, f64) = (words[4].parse().unwrap(), words[5].parse().unwrap());
+        let (r, m) = (one * other / (one + other), mass(one) * mass(other) / (mass(one) + mass(other)));
+        let back = succeed(&format!(
+            "material --from-code lammps --input k_n={k_n:e},eta_n0={eta:e} --effective-radius {r:e} --effective-mass {m:e} --velocity 0.5 --format csv"
+        ));
+        let met = value(&back, "epsilon");
+        assert_eq!(types == "1 2", (met - 0.7).abs() < 1e-9, "{types}: {met}");
+        let a = value(&succeed(&format!("{GLASS} --radius2 2mm --measured 50cm/s,0.7 --format csv")), "A");
+        assert!((value(&back, "A") / a - 1.0).abs() < 1e-9, "{types}");
+    }
+    let second = "--young2 2GPa --poisson2 0.2 --density2 7000";
+    let out = succeed(&format!("{GLASS} {second} --measured 50cm/s,0.7 --code lammps"));
+    assert!(
+        out.contains("of pairs 1 1 and 2 2 nothing is known") && out.matches("pair_coeff").count() == 1,
+        "{out}"
+    );
+    let out = succeed(&format!(
+        "{GLASS} {second} --dissipative-constant 1us --dissipative-constant2 2us --code liggghts"
+    ));
+    assert!(out.contains("kn peratomtypepair 2 "), "{out}");
+    assert!(
+        fail(&format!("{GLASS} {second} --measured 1,0.7 --code liggghts"))
+            .1
+            .contains("wants all pairs at once")
+    );
+}
+
+#[test]
+fn codes_of_one_coefficient_are_told_what_they_need() {
+    for (code, told) in [
+        ("mfix", "DES_EN_INPUT(1) = 0.670709761"),
+        ("chrono-constant", "material->SetRestitution(0.679193716);"),
+        ("dem-engine", "{\"CoR\", 0.7}"),
+        ("lethe", "set restitution coefficient particles = 0.699997419"),
+        ("kratos", "\"COEFFICIENT_OF_RESTITUTION\": 0.70022742"),
+        ("trixi-particles", "damping_coefficient=-0.126123682"),
+        ("liggghts-constant", "coefficientRestitution peratomtypepair 1 0.7"),
+    ] {
+        let out = succeed(&format!("{GLASS} --measured 50cm/s,0.7 --code {code}"));
+        assert!(
+            out.contains(told) && out.contains("units si") && out.contains("the same at every velocity"),
+            "{out}"
+        );
+        let modulus = format!(
+            "material --effective-modulus 549MPa --effective-radius 1mm --effective-mass 1g --measured 1,0.7 --code {code}"
+        );
+        assert!(fail(&modulus).1.contains("wants Poisson's ratio: give --poisson"), "{code}");
+    }
+    for (code, input, epsilon) in [
+        ("mfix", "DES_EN_INPUT=0.7", 0.7271596),
+        ("kratos", "COEFFICIENT_OF_RESTITUTION=0.70022742", 0.7),
+        ("chrono-constant", "restitution=0.7", 0.71820),
+        ("trixi-particles", "damping_coefficient=-0.126123682", 0.7),
+    ] {
+        let out = succeed(&format!("material --from-code {code} --input {input} --format csv"));
+        assert!((value(&out, "epsilon") - epsilon).abs() < 6e-6 && out.lines().count() == 2, "{code}: {out}");
+    }
+    let rebound = succeed("material --code rebound --measured 50cm/s,0.6");
+    assert!(rebound.contains("def coefficient_of_restitution(simulation, velocity):"), "{rebound}");
+    assert!(fail("material --code rebound").1.contains("--measured"));
+    assert!(
+        fail(&format!("{GLASS} --measured 1,0.1 --end zero-force --code lammps-constant"))
+            .1
+            .contains("coefficient of 0.1000")
+    );
+    assert!(
+        fail(&format!("{GLASS} --measured 1,0.5 --against plane --code trixi-particles"))
+            .1
+            .contains("leave --against out")
+    );
+}
+
+#[test]
+fn a_fit_becomes_lines_and_stiffness() {
+    let bodies = "--young 9.4GPa --poisson 0.33 --density 917kg/m3 --radius 2.75cm";
+    let out = succeed(&format!("fit --example ice --between 0.3cm/s,5cm/s --code lammps {bodies}"));
+    for part in [
+        "units si",
+        "m_eff = 0.0399",
+        "zero compression",
+        "fitted to 13 rows: g* = 0.4581 cm/s",
+        "epsilon = 0.384109 at g*",
+    ] {
+        assert!(out.contains(part), "{part}: {out}");
+    }
+    assert!(
+        fail("fit --example ice --code lammps").1.contains("give --young, --poisson, --density and --radius")
+    );
+    assert!(fail("fit --example ice --radius 1cm").1.contains("give --code"));
+    assert!(fail(&format!("fit --example ice --code mfix {bodies}")).1.contains("one that was measured"));
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("data.csv");
+    let mut text = "g[cm/s],epsilon,duration[us]\n".to_owned();
+    for g in [1, 3, 10, 30] {
+        let one = succeed(&format!(
+            "{GLASS} --dissipative-constant 2e-5 --velocity {g}cm/s --end zero-force --format csv"
+        ));
+        text += &format!("{g},{},{}\n", value(&one, "epsilon"), 1e6 * value(&one, "t_c"));
+    }
+    fs::write(&path, text).unwrap();
+    let out =
+        succeed(&format!("fit {} --end zero-force --radius 5mm --density 2500 --format csv", path.display()));
+    assert!((value(&out, "A") / 2e-5 - 1.0).abs() < 1e-8, "{out}");
+    assert!((value(&out, "E") / (1e9 / 1.82) - 1.0).abs() < 1e-8, "{out}");
+    let lines = succeed(&format!("fit {} --radius 5mm --density 2500 --code mercury", path.display()));
+    assert!(
+        lines.contains("setDissipation(2.0000000") || lines.contains("setDissipation(1.99999999"),
+        "{lines}"
+    );
+}
+
 #[test]
 fn wrong_materials_are_named_with_their_remedy() {
     let cases = [

@@ -30,7 +30,7 @@ use core::f64::consts::PI;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConstantRestitution {
-    zeta: f64,
+    pub(super) zeta: f64,
 }
 
 impl ConstantRestitution {

@@ -65,6 +65,11 @@ impl LammpsGranular {
         std::format!("fix wall all wall/gran granular {} zplane 0.0 NULL", self.model())
     }
 
+    /// Returns the `pair_coeff` of two types, such as `1 2` or `* *`.
+    pub fn pair_line(&self, types: &str) -> std::string::String {
+        std::format!("pair_coeff {types} {}", self.model())
+    }
+
     fn model(&self) -> std::string::String {
         let (k_n, eta_n0) = (Input(self.k_n), Input(self.eta_n0));
         let limit = if self.end == End::ZeroForce { " limit_damping" } else { "" };
@@ -106,7 +111,7 @@ impl LammpsGranular {
 impl fmt::Display for LammpsGranular {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "pair_style granular")?;
-        write!(f, "pair_coeff * * {}", self.model())
+        f.write_str(&self.pair_line("* *"))
     }
 }
 

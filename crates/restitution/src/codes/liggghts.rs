@@ -61,6 +61,41 @@ impl Liggghts {
         std::format!("fix wall all wall/gran {MODEL} primitive type 1 zplane 0.0 limitForce {limit}")
     }
 
+    /// Returns the lines of two types of particles, with the inputs of the pairs 1 1, 1 2 and 2 2.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution::End;
+    /// use restitution::codes::Liggghts;
+    ///
+    /// let input = |gamman| Liggghts { kn: 1e7, gamman, end: End::ZeroForce };
+    /// let lines = Liggghts::lines_of_two_types([input(1e7), input(2e7), input(3e7)]);
+    /// assert!(lines.contains("gamman peratomtypepair 2 1e7 2e7 2e7 3e7"));
+    /// assert!(lines.contains("limitForce on"));
+    /// ```
+    pub fn lines_of_two_types(pairs: [Self; 3]) -> std::string::String {
+        let of = |value: fn(&Self) -> f64| {
+            let [one, met, other] = pairs.each_ref().map(|pair| Input(value(pair)));
+            std::format!("2 {one} {met} {met} {other}")
+        };
+        pairs[1].lines(&[
+            ("kn", of(|pair| pair.kn)),
+            ("kt", of(|_| 0.0)),
+            ("gamman", of(|pair| pair.gamman)),
+            ("gammat", of(|_| 0.0)),
+            ("coefficientFriction", of(|_| 0.0)),
+        ])
+    }
+
+    fn lines(&self, properties: &[(&str, std::string::String)]) -> std::string::String {
+        let head = std::format!("pair_style gran {MODEL} limitForce {}\npair_coeff * *", self.limit());
+        let lines = properties.iter().map(|(name, values)| {
+            std::format!("\nfix {name} all property/global {name} peratomtypepair {values}")
+        });
+        head + &lines.collect::<std::string::String>()
+    }
+
     fn limit(&self) -> &'static str {
         if self.end == End::ZeroForce { "on" } else { "off" }
     }
@@ -75,15 +110,13 @@ impl Liggghts {
 
 impl fmt::Display for Liggghts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "pair_style gran {MODEL} limitForce {}", self.limit())?;
-        writeln!(f, "pair_coeff * *")?;
-        let property = |name: &str, value: f64| {
-            format!("fix {name} all property/global {name} peratomtypepair 1 {}", Input(value))
-        };
-        writeln!(f, "{}", property("kn", self.kn))?;
-        writeln!(f, "{}", property("kt", 0.0))?;
-        writeln!(f, "{}", property("gamman", self.gamman))?;
-        writeln!(f, "{}", property("gammat", 0.0))?;
-        write!(f, "{}", property("coefficientFriction", 0.0))
+        let one = |value| std::format!("1 {}", Input(value));
+        f.write_str(&self.lines(&[
+            ("kn", one(self.kn)),
+            ("kt", one(0.0)),
+            ("gamman", one(self.gamman)),
+            ("gammat", one(0.0)),
+            ("coefficientFriction", one(0.0)),
+        ]))
     }
 }

@@ -3,6 +3,8 @@
 //! Every code's input becomes a [`ViscoelasticContact`] for given effective radius
 //! and mass, and back; `Display` prints the lines to paste. All inputs are in SI units.
 
+mod chrono;
+mod constant_code;
 mod constant_law;
 mod esys;
 mod lammps;
@@ -11,6 +13,8 @@ mod mercury;
 mod unit_system;
 mod yade;
 
+pub use chrono::Chrono;
+pub use constant_code::ConstantCode;
 pub use constant_law::ConstantRestitution;
 pub use esys::EsysParticle;
 pub use lammps::{LammpsGranular, LammpsHertzHistory};

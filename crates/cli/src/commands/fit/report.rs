@@ -3,7 +3,7 @@
 use crate::commands::material::ten_digits;
 use crate::{Cell, Table};
 use restitution::End;
-use restitution_fit::{Adequacy, Data, Departure, FALSE_ALARMS, Fit, Law, LawFit};
+use restitution_fit::{Adequacy, Data, Departure, FALSE_ALARMS, Fit, Law, LawFit, Stiffness};
 
 /// How many lines of a table are named in a note.
 const NAMED_LINES: usize = 5;
@@ -34,6 +34,57 @@ pub(super) fn summary(data: &Data, fit: &Fit, verdict: &Adequacy, laws: &[LawFit
     judge(&mut table, fit, verdict, laws);
     note_above_one(&mut table, data);
     table
+}
+
+/// Adds what the durations of the contacts say.
+pub(super) fn add_stiffness(table: &mut Table, found: &Stiffness) {
+    let mut add = |quantity: &str, symbol: &str, value: Cell, unit: &str| {
+        table.push(vec![quantity.into(), symbol.into(), value, unit.into()]);
+    };
+    let error = |(low, high): (f64, f64)| 0.25 * (high / low).ln();
+    let (stiff, damped) = (found.per_mass_interval, found.dissipative_interval);
+    let rate = "m^(-1/2) s^(-2)";
+    add("stiffness over mass", "rho/m_eff", statistic(found.per_mass, error(stiff)), rate);
+    add("lower end, 95 % confidence", "", statistic(stiff.0, error(stiff)), rate);
+    add("upper end, 95 % confidence", "", statistic(stiff.1, error(stiff)), rate);
+    add("dissipative constant", "A", statistic(found.dissipative_constant, error(damped)), "s");
+    add("lower end, 95 % confidence", "A_low", statistic(damped.0, error(damped)), "s");
+    add("upper end, 95 % confidence", "A_high", statistic(damped.1, error(damped)), "s");
+    add("relative scatter of durations", "s_t", rounded(found.scatter, 3), "");
+    if found.beyond > 0 {
+        table
+            .note(format!("{} durations beyond u = 20, up to which they are known, left out.", found.beyond));
+    }
+}
+
+/// Adds what follows for bodies of known effective radius (m) and mass (kg).
+pub(super) fn add_bodies(table: &mut Table, found: &Stiffness, (radius, mass): (f64, f64)) {
+    let relative = 0.25 * (found.per_mass_interval.1 / found.per_mass_interval.0).ln();
+    let rho = found.per_mass * mass;
+    let mut add = |quantity: &str, symbol: &str, value: f64, unit: &str| {
+        table.push(vec![quantity.into(), symbol.into(), statistic(value, relative), unit.into()]);
+    };
+    add("force prefactor", "rho", rho, "N/m^(3/2)");
+    add("effective modulus", "E", 0.75 * rho / radius.sqrt(), "Pa");
+}
+
+/// What was fitted, for a remark.
+pub(super) fn in_a_line(data: &Data, fit: &Fit, verdict: &Adequacy) -> String {
+    let significant = |value| statistic(value, fit.log_error).plain();
+    let (low, high) = fit.interval;
+    let doubt = match (verdict.rises(), verdict.is_doubtful()) {
+        (true, _) => "; but epsilon rises with the velocity, which no viscoelastic body does",
+        (_, true) => "; but the data do not follow the curve of a viscoelastic collision",
+        _ => "",
+    };
+    format!(
+        "fitted to {} rows: g* = {} {unit}, 95 % confidence {} to {} {unit}{doubt}",
+        fit.rows,
+        significant(fit.characteristic_velocity),
+        significant(low),
+        significant(high),
+        unit = data.unit
+    )
 }
 
 /// Says in plain sentences what the tests and the comparison found.

@@ -7,7 +7,7 @@ use restitution::{Contact, Material, Plane, Sphere, effective, sphere_mass};
 
 /// What the sphere meets.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
-pub(super) enum Against {
+pub(in crate::commands) enum Against {
     /// Another sphere.
     #[default]
     Sphere,
@@ -20,7 +20,7 @@ pub(super) enum Against {
 /// Arguments that say what collides.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Bodies")]
-pub(super) struct BodyArgs {
+pub(in crate::commands) struct BodyArgs {
     /// Young's modulus, such as 9.4GPa
     #[arg(long, value_name = "Y", value_parser = units::modulus, allow_hyphen_values = true)]
     young: Option<Quantity>,
@@ -61,7 +61,7 @@ pub(super) struct BodyArgs {
 
 impl BodyArgs {
     /// Refuses what the second body cannot have.
-    pub(super) fn check(&self) -> Result<(), CliError> {
+    pub(in crate::commands) fn check(&self) -> Result<(), CliError> {
         if self.against != Against::Sphere && self.radius2.is_some() {
             return Err(CliError::usage("a plane has no radius: leave --radius2 out"));
         }
@@ -101,15 +101,36 @@ impl BodyArgs {
         let radius = self.radius.as_ref().map(ToString::to_string);
         match (self.against, radius) {
             (_, None) => "any two bodies of this effective radius and mass".to_owned(),
-            (Against::Sphere, Some(radius)) => match &self.radius2 {
-                Some(other) => format!("spheres of radius {radius} against spheres of radius {other}"),
-                None => format!("spheres of radius {radius} among themselves"),
-            },
+            (Against::Sphere, Some(radius)) => {
+                let second = self.young2.is_some() || self.density2.is_some();
+                match &self.radius2 {
+                    Some(other) => format!("spheres of radius {radius} against spheres of radius {other}"),
+                    None if second => {
+                        format!("spheres of radius {radius} against such of the second material")
+                    }
+                    None => format!("spheres of radius {radius} among themselves"),
+                }
+            }
             (Against::Plane, Some(radius)) => format!("spheres of radius {radius} against a plane"),
             (Against::RigidPlane, Some(radius)) => {
                 format!("spheres of radius {radius} against a rigid plane")
             }
         }
+    }
+
+    /// Whether anything was given.
+    pub(in crate::commands) fn is_given(&self) -> bool {
+        let quantities =
+            [&self.young, &self.density, &self.radius, &self.radius2, &self.young2, &self.density2];
+        let effective = [&self.effective_radius, &self.effective_mass, &self.effective_modulus];
+        let ratios = [&self.poisson, &self.poisson2];
+        quantities.into_iter().chain(effective).any(Option::is_some)
+            || ratios.into_iter().any(Option::is_some)
+    }
+
+    /// Whether elastic constants were given.
+    pub(super) fn is_elastic(&self) -> bool {
+        self.young.is_some() || self.effective_modulus.is_some()
     }
 
     /// Whether the second body is a plane.
@@ -149,7 +170,7 @@ impl BodyArgs {
     }
 
     /// The effective radius and mass alone, for the input of a code, which brings the modulus.
-    pub(super) fn radius_and_mass(&self) -> Result<(f64, f64), CliError> {
+    pub(in crate::commands) fn radius_and_mass(&self) -> Result<(f64, f64), CliError> {
         if let (Some(radius), Some(mass)) = (&self.effective_radius, &self.effective_mass) {
             return Ok((radius.to_f64(), mass.to_f64()));
         }
@@ -174,6 +195,27 @@ impl BodyArgs {
         Ok(Some(if second.sound_speed() < first.sound_speed() { second } else { first }))
     }
 
+    /// The time `pi R sqrt(density/G)/(0.1631 nu + 0.8766)` that a Rayleigh wave takes around a sphere, `G = Y/(2 (1 + nu))`, the
+    /// shorter of both spheres; `None` if they are not given in full.
+    pub(super) fn rayleigh_time(&self) -> Result<Option<f64>, CliError> {
+        if [&self.young, &self.density, &self.radius].iter().any(|given| given.is_none())
+            || self.poisson.is_none()
+        {
+            return Ok(None);
+        }
+        let first = self.sphere()?;
+        let time = |sphere: &Sphere| {
+            let (young, poisson, density) =
+                (sphere.material().young(), sphere.material().poisson(), sphere.material().density());
+            let shear = young / (2.0 * (1.0 + poisson));
+            std::f64::consts::PI * sphere.radius() * (density / shear).sqrt() / (0.1631 * poisson + 0.8766)
+        };
+        Ok(Some(match self.against {
+            Against::Sphere => time(&first).min(time(&self.second_sphere(&first)?)),
+            _ => time(&first),
+        }))
+    }
+
     /// The first material.
     pub(super) fn material(&self) -> Result<Material, CliError> {
         let young = required(&self.young, "--young")?.to_f64();
@@ -192,6 +234,36 @@ impl BodyArgs {
         let poisson = self.poisson2.as_ref().map_or(first.poisson(), Exact::to_f64);
         let density = self.density2.as_ref().map_or(first.density(), Quantity::to_f64);
         Material::new(young, poisson, density).map(Some).map_err(CliError::usage)
+    }
+
+    /// The materials of both bodies, the second if it differs from the first; `None` if the contact is given as a whole, or one body is rigid.
+    pub(super) fn two_materials(&self) -> Result<Option<(Material, Option<Material>)>, CliError> {
+        if self.young.is_none() || self.effective_radius.is_some() || self.against == Against::RigidPlane {
+            return Ok(None);
+        }
+        Ok(Some((self.material()?, self.second_material()?)))
+    }
+
+    /// The contacts of spheres of the first kind and of the second among themselves, if the kinds differ.
+    pub(super) fn unlike_contacts(&self, met: &Contact) -> Result<Option<[Contact; 2]>, CliError> {
+        let (Against::Sphere, Some(radius), Some(density)) = (self.against, &self.radius, &self.density)
+        else {
+            return Ok(None);
+        };
+        let (radius, density) = (radius.to_f64(), density.to_f64());
+        let radius2 = self.radius2.as_ref().map_or(radius, Quantity::to_f64);
+        let density2 = self.density2.as_ref().map_or(density, Quantity::to_f64);
+        if radius2 == radius && self.second_material()?.is_none() {
+            return Ok(None);
+        }
+        let moduli = match (self.has_two_materials(), self.second_material()?) {
+            (true, Some(second)) => [self.material()?, second].map(|material| 0.5 / material.compliance()),
+            _ => [met.effective_modulus(); 2],
+        };
+        let alike = |radius: f64, density: f64, modulus: f64| {
+            Contact::new(0.5 * radius, 0.5 * sphere_mass(radius, density), modulus).map_err(CliError::usage)
+        };
+        Ok(Some([alike(radius, density, moduli[0])?, alike(radius2, density2, moduli[1])?]))
     }
 
     /// Whether the second body deforms and is of another material.

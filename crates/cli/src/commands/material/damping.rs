@@ -1,12 +1,11 @@
 //! How the bodies dissipate: one of four ways to say it.
 
 use super::bodies::BodyArgs;
+use super::measured::{Measured, MeasuredArgs};
 use crate::CliError;
-use crate::exact::Exact;
-use crate::units::{self, Dimension, Quantity};
+use crate::units::{self, Quantity};
 use restitution::{
-    Contact, DissipationFormula, End, ViscoelasticContact, combined_dissipative_constant,
-    dissipative_constant,
+    DissipationFormula, End, ViscoelasticContact, combined_dissipative_constant, dissipative_constant,
 };
 
 /// Which formula makes the dissipative constant of the viscosities.
@@ -24,15 +23,15 @@ enum Formula {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Dissipation")]
 #[group(id = "damping", multiple = true)]
-pub(super) struct DampingArgs {
+pub(in crate::commands) struct DampingArgs {
     /// Dissipative constant A, such as 1e-6s
-    #[arg(long, value_name = "A", value_parser = units::time, allow_hyphen_values = true, conflicts_with_all = ["eta1", "eta2", "measured", "g_star"])]
+    #[arg(long, value_name = "A", value_parser = units::time, allow_hyphen_values = true, conflicts_with_all = ["eta1", "eta2", "measurement", "g_star"])]
     dissipative_constant: Option<Quantity>,
     /// Dissipative constant of the second material
     #[arg(long, value_name = "A", value_parser = units::time, allow_hyphen_values = true, requires = "dissipative_constant")]
     dissipative_constant2: Option<Quantity>,
     /// Viscosity of shear, such as 1e4Pa*s
-    #[arg(long, value_name = "ETA", value_parser = units::viscosity, allow_hyphen_values = true, requires = "eta2", conflicts_with_all = ["measured", "g_star"])]
+    #[arg(long, value_name = "ETA", value_parser = units::viscosity, allow_hyphen_values = true, requires = "eta2", conflicts_with_all = ["measurement", "g_star"])]
     eta1: Option<Quantity>,
     /// Viscosity of volume
     #[arg(long, value_name = "ETA", value_parser = units::viscosity, allow_hyphen_values = true, requires = "eta1")]
@@ -40,37 +39,56 @@ pub(super) struct DampingArgs {
     /// The formula for A from the viscosities
     #[arg(long, value_enum, value_name = "FORMULA", requires = "eta1")]
     formula: Option<Formula>,
-    /// One measured pair, such as 1cm/s,0.55
-    #[arg(long, value_name = "G,EPSILON", value_parser = measured, allow_hyphen_values = true, conflicts_with = "g_star")]
-    measured: Option<(Quantity, Exact)>,
+    #[command(flatten)]
+    measured: MeasuredArgs,
     /// Characteristic velocity, such as 0.32cm/s
-    #[arg(long, value_name = "G", value_parser = units::velocity, allow_hyphen_values = true)]
+    #[arg(long, value_name = "G", value_parser = units::velocity, allow_hyphen_values = true, conflicts_with = "measurement")]
     g_star: Option<Quantity>,
 }
 
 impl DampingArgs {
-    /// The measured pair, if one was given.
-    pub(super) fn measured(&self) -> Option<&(Quantity, Exact)> {
-        self.measured.as_ref()
+    /// The measured collision, if one was given.
+    pub(super) fn measured(&self) -> Result<Option<Measured>, CliError> {
+        self.measured.get()
+    }
+
+    /// The characteristic velocity, if it was given.
+    pub(super) fn g_star(&self) -> Option<&Quantity> {
+        self.g_star.as_ref()
+    }
+
+    /// Whether anything was given.
+    pub(super) fn is_given(&self) -> Result<bool, CliError> {
+        let given = self.dissipative_constant.is_some() || self.eta1.is_some() || self.g_star.is_some();
+        Ok(given || self.measured()?.is_some())
+    }
+
+    /// The dissipative constants of two materials, if they were given.
+    pub(super) fn constants(&self) -> Option<(f64, f64)> {
+        let [one, other] = [&self.dissipative_constant, &self.dissipative_constant2];
+        Some((one.as_ref()?.to_f64(), other.as_ref()?.to_f64()))
     }
 
     /// Whether any quantity was given with a unit.
     pub(super) fn has_units(&self) -> bool {
         let all =
             [&self.dissipative_constant, &self.dissipative_constant2, &self.eta1, &self.eta2, &self.g_star];
-        let measured = self.measured.as_ref().map(|(velocity, _)| velocity);
-        all.into_iter().flatten().chain(measured).any(|quantity| quantity.unit().is_some())
+        self.measured.has_units() || all.into_iter().flatten().any(|quantity| quantity.unit().is_some())
     }
 
     /// The viscoelastic contact, if anything says how it dissipates.
-    pub(super) fn pair(
-        &self,
-        bodies: &BodyArgs,
-        contact: Contact,
-        end: End,
-    ) -> Result<Option<ViscoelasticContact>, CliError> {
-        let pair = if let Some((velocity, epsilon)) = &self.measured {
-            ViscoelasticContact::from_measurement(contact, velocity.to_f64(), epsilon.to_f64(), end)
+    pub(super) fn pair(&self, bodies: &BodyArgs, end: End) -> Result<Option<ViscoelasticContact>, CliError> {
+        let measured = self.measured()?;
+        if let (Some(measured), Some(duration)) = (&measured, &self.measured.duration) {
+            let (radius, mass) = bodies.radius_and_mass()?;
+            let (velocity, lost) = (measured.velocity, measured.lost);
+            let pair =
+                ViscoelasticContact::from_duration(radius, mass, velocity, lost, duration.to_f64(), end);
+            return pair.map(Some).map_err(CliError::usage);
+        }
+        let contact = bodies.contact()?;
+        let pair = if let Some(measured) = measured {
+            ViscoelasticContact::from_loss(contact, measured.velocity, measured.lost, end)
         } else if let Some(g_star) = &self.g_star {
             ViscoelasticContact::from_characteristic_velocity(contact, g_star.to_f64())
         } else if let Some(a) = self.constant(bodies)? {
@@ -120,12 +138,4 @@ impl DampingArgs {
         };
         dissipative_constant(&bodies.material()?, eta_1, eta_2, formula).map_err(CliError::usage)
     }
-}
-
-fn measured(text: &str) -> Result<(Quantity, Exact), String> {
-    let (velocity, epsilon) = text.split_once(',').ok_or_else(|| {
-        format!("'{text}' is not a measured pair: write it as velocity,epsilon, such as 1cm/s,0.55")
-    })?;
-    let velocity = Quantity::parse(velocity, Dimension::Velocity).map_err(|error| error.to_string())?;
-    Ok((velocity, epsilon.parse().map_err(|error: crate::exact::NumberError| error.to_string())?))
 }

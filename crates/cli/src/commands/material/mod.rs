@@ -1,8 +1,9 @@
 //! `restitution material`: what a material, a measurement or a code's input means.
 
-mod bodies;
-mod code;
-mod damping;
+pub(in crate::commands) mod bodies;
+pub(in crate::commands) mod code;
+pub(in crate::commands) mod damping;
+mod measured;
 mod report;
 
 pub(super) use report::ten_digits;
@@ -13,7 +14,7 @@ use crate::list::{self, List};
 use crate::units::{self, Quantity};
 use crate::{CliError, OutputArgs};
 use bodies::BodyArgs;
-use code::{Code, CodeInput};
+use code::{Code, CodeInput, Dissipation, Request};
 use damping::DampingArgs;
 use restitution::codes::UnitSystem;
 use restitution::{End, ViscoelasticContact};
@@ -42,6 +43,9 @@ pub struct MaterialArgs {
     /// Also give the time step that keeps the error of epsilon below this
     #[arg(long, value_name = "ERROR", value_parser = at_least_zero, conflicts_with = "code")]
     error: Option<Exact>,
+    /// Also give the error of epsilon that this time step causes, such as 1us
+    #[arg(long, value_name = "DT", value_parser = units::time, conflicts_with_all = ["code", "error"])]
+    time_step: Option<Quantity>,
     #[command(flatten)]
     output: OutputArgs,
     #[command(flatten)]
@@ -52,7 +56,7 @@ pub struct MaterialArgs {
 
 /// A unit system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum UnitArg {
+pub(in crate::commands) enum UnitArg {
     /// Metre, kilogram, second.
     Si,
     /// Centimetre, gram, second.
@@ -63,17 +67,19 @@ enum UnitArg {
     Lj,
 }
 
-impl MaterialArgs {
+impl UnitArg {
     /// The unit system that was asked for.
-    fn unit_system(&self) -> UnitSystem {
-        match self.units {
-            None | Some(UnitArg::Si) => UnitSystem::Si,
-            Some(UnitArg::Cgs) => UnitSystem::Cgs,
-            Some(UnitArg::Micro) => UnitSystem::Micro,
-            Some(UnitArg::Lj) => UnitSystem::Reduced,
+    pub(in crate::commands) fn system(asked: Option<Self>) -> UnitSystem {
+        match asked {
+            None | Some(Self::Si) => UnitSystem::Si,
+            Some(Self::Cgs) => UnitSystem::Cgs,
+            Some(Self::Micro) => UnitSystem::Micro,
+            Some(Self::Lj) => UnitSystem::Reduced,
         }
     }
+}
 
+impl MaterialArgs {
     /// Prints the table of quantities, or the lines of a code.
     ///
     /// # Errors
@@ -84,20 +90,30 @@ impl MaterialArgs {
         units::all_or_none(&self.velocities()).map_err(CliError::usage)?;
         self.bodies.check()?;
         match (self.code, self.from_code) {
-            (Some(code), _) => self.output.print_lines(&code.lines(self)?),
+            (Some(code), _) => self.output.print_lines(&self.request().lines(code)?),
             (None, Some(code)) => self.print_meaning(code),
             (None, None) => {
-                let contact = self.bodies.contact()?;
-                let pair = self.damping.pair(&self.bodies, contact, self.end())?;
+                let pair = self.damping.pair(&self.bodies, self.end())?;
+                let contact = pair.map_or_else(|| self.bodies.contact(), |pair| Ok(*pair.contact()))?;
                 self.print_report(contact, pair, self.end())
             }
         }
     }
 
+    fn request(&self) -> Request<'_> {
+        Request {
+            bodies: &self.bodies,
+            dissipation: Dissipation::Given(&self.damping),
+            velocities: self.velocities(),
+            units: UnitArg::system(self.units),
+            end: self.end,
+        }
+    }
+
     fn print_meaning(&self, code: Code) -> Result<(), CliError> {
         let input = CodeInput::parse(code, self.input.as_deref().unwrap_or_default())?;
-        if let Some(law) = input.constant_law()? {
-            return self.output.print(&report::constant_law(&law));
+        if let Some((law, ends)) = input.constant_law()? {
+            return self.output.print(&report::constant_law(&law, ends));
         }
         let (radius, mass) = self.bodies.radius_and_mass()?;
         let pair = input.pair(radius, mass)?;
@@ -111,17 +127,25 @@ impl MaterialArgs {
         pair: Option<ViscoelasticContact>,
         end: End,
     ) -> Result<(), CliError> {
-        if pair.is_none() && (!self.velocity.is_empty() || self.error.is_some()) {
+        let step = self.error.is_some() || self.time_step.is_some();
+        if pair.is_none() && (!self.velocity.is_empty() || step) {
             return Err(CliError::usage(
-                "nothing says how the material dissipates: give --dissipative-constant, --eta1 and --eta2, --measured or --g-star",
+                "nothing says how the material dissipates: give --dissipative-constant, --eta1 and --eta2, --measured, --heights, --speeds, --bounce-times or --g-star",
             ));
         }
-        if self.error.is_some() && self.velocity.is_empty() {
+        if step && self.velocity.is_empty() {
             return Err(CliError::usage("a time step belongs to an impact velocity: give --velocity"));
         }
         let material = self.bodies.softer_material()?;
-        let report =
-            report::Report { contact, pair, material, end, error: self.error.as_ref().map(Exact::to_f64) };
+        let report = report::Report {
+            contact,
+            pair,
+            material,
+            rayleigh: self.bodies.rayleigh_time()?,
+            end,
+            error: self.error.as_ref().map(Exact::to_f64),
+            time_step: self.time_step.as_ref().map(Quantity::to_f64),
+        };
         let velocities = self.velocities().iter().map(|g| (g.to_string(), g.to_f64())).collect::<Vec<_>>();
         self.output.print(&report.table(&velocities)?)
     }

@@ -2,15 +2,21 @@
 
 use crate::{Cell, CliError, Table};
 use restitution::codes::ConstantRestitution;
-use restitution::{Contact, End, Material, Validity, Verdict, ViscoelasticContact, time_step_for};
+use restitution::{
+    Contact, End, Material, Validity, Verdict, ViscoelasticContact, time_step_error, time_step_for,
+};
 
 /// What is known about a contact.
 pub(super) struct Report {
     pub(super) contact: Contact,
     pub(super) pair: Option<ViscoelasticContact>,
     pub(super) material: Option<Material>,
+    /// The shorter Rayleigh time of the spheres, in s.
+    pub(super) rayleigh: Option<f64>,
     pub(super) end: End,
     pub(super) error: Option<f64>,
+    /// In s.
+    pub(super) time_step: Option<f64>,
 }
 
 impl Report {
@@ -65,28 +71,41 @@ impl Report {
                 rows.add(name, symbol, ratio, "", says(Verdict::of(ratio)));
             }
         }
-        self.error.map_or(Ok(()), |error| self.add_time_step(rows, pair, g, error))
+        self.add_time_step(rows, pair, g)
     }
 
-    fn add_time_step(
-        &self,
-        rows: &mut Rows,
-        pair: &ViscoelasticContact,
-        g: f64,
-        error: f64,
-    ) -> Result<(), CliError> {
-        let step = pair.u(g).and_then(|u| time_step_for(u, error)).map_err(CliError::usage)?;
-        let tau = self.contact.time_unit(g).map_err(CliError::usage)?;
-        rows.add("time step", "dt", step * tau, "s", &format!("error of epsilon at most {error}"));
+    fn add_time_step(&self, rows: &mut Rows, pair: &ViscoelasticContact, g: f64) -> Result<(), CliError> {
+        let usage = CliError::usage;
+        let (u, tau) = (pair.u(g).map_err(usage)?, self.contact.time_unit(g).map_err(usage)?);
+        let step = match (self.error, self.time_step) {
+            (Some(error), _) => {
+                let step = time_step_for(u, error).map_err(usage)? * tau;
+                rows.add("time step", "dt", step, "s", &format!("error of epsilon at most {error}"));
+                step
+            }
+            (None, Some(step)) => {
+                let error = time_step_error(u, step / tau).map_err(usage)?;
+                rows.add("time step", "dt", step, "s", "");
+                rows.add("error of epsilon", "d_eps", error, "", "at most");
+                step
+            }
+            (None, None) => return Ok(()),
+        };
+        rows.add("time step / time unit", "dt/tau", step / tau, "", "");
+        if let Some(rayleigh) = self.rayleigh {
+            rows.add("Rayleigh time", "t_R", rayleigh, "s", "of the smaller or stiffer sphere");
+            rows.add("time step / Rayleigh time", "dt/t_R", step / rayleigh, "", "");
+        }
         Ok(())
     }
 }
 
 /// The table of a law whose coefficient does not depend on velocity.
-pub(super) fn constant_law(law: &ConstantRestitution) -> Table {
+pub(super) fn constant_law(law: &ConstantRestitution, ends: &[End]) -> Table {
     let mut rows = Rows(Table::new(&["quantity", "symbol", "value", "note"]), String::new());
-    for (end, note) in [(End::ZeroCompression, "to zero compression"), (End::ZeroForce, "to zero force")] {
-        rows.0.push(vec!["restitution".into(), "epsilon".into(), ten_digits(law.epsilon(end)), note.into()]);
+    for end in ends {
+        let note = if *end == End::ZeroForce { "to zero force" } else { "to zero compression" };
+        rows.0.push(vec!["restitution".into(), "epsilon".into(), ten_digits(law.epsilon(*end)), note.into()]);
     }
     rows.0.note("This input damps with xi^(1/4): the coefficient is the same at every velocity, unlike that of a viscoelastic body.");
     rows.0
