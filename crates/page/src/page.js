@@ -13,6 +13,7 @@ const EXAMPLES = {
   "cellulose acetate": [3.2, 0.28, 1319],
 };
 const DECADES = 5; // shown of the velocity
+const DRAWN = 3000; // measurements at most
 
 const at = (id) => document.getElementById(id);
 function text(value, digits = 6) {
@@ -164,6 +165,7 @@ function printed(u) {
 
 let now = null; // the pair, or null while a field is wrong
 let measured = []; // [velocity in m/s, epsilon]
+let decades = [0, 0]; // the logarithms of the slowest and the fastest of them
 let centre = null; // the velocity in the middle of the figure
 let velocity = null; // the velocity that is read, m/s
 
@@ -192,13 +194,11 @@ function update() {
 
 // The middle of the figure: that of the measurements, or where ε is about one half.
 function middle() {
-  if (!measured.length) return now.gStar;
-  const logs = measured.map(([g]) => Math.log10(g));
-  return 10 ** (0.5 * (Math.min(...logs) + Math.max(...logs)));
+  return measured.length ? 10 ** (0.5 * (decades[0] + decades[1])) : now.gStar;
 }
 
 const span = () => {
-  const far = measured.length ? Math.max(...measured.map(([g]) => Math.abs(Math.log10(g / centre)))) : 0;
+  const far = measured.length ? Math.max(...decades.map((decade) => Math.abs(decade - Math.log10(centre)))) : 0;
   return Math.max(DECADES / 2, far + 0.2);
 };
 const place = (g) => Math.min(1, Math.max(0, 0.5 + Math.log10(g / centre) / (2 * span())));
@@ -239,12 +239,12 @@ function draw() {
   parts.push(line(printed, "curve paper"));
   for (const end of ENDS) parts.push(line(end.epsilon, `curve ${end.style}`));
   parts.push(line((u) => (u > 1.5 ? theory.saturation / u ** 5 : NaN), "limit one"));
-  for (const [g, epsilon] of measured) {
+  for (const [g, epsilon] of drawn()) {
     if (epsilon <= 1.05) parts.push(`<circle class="datum" cx="${across(g).toFixed(1)}" cy="${down(epsilon).toFixed(1)}" r="3.5"/>`);
   }
   parts.push('<g id="cursor"></g>');
   at("plot").innerHTML = `<svg viewBox="0 0 ${width} ${HEIGHT}" role="img" aria-label="ε against impact velocity; the table below has the values">${parts.join("")}</svg>`;
-  at("legend").innerHTML = `${ENDS.map((end) => `<span class="${end.style}">${end.name}</span>`).join("")}<span class="paper">formula (35) as printed</span>`;
+  at("legend").innerHTML = `${ENDS.map((end) => `<span class="${end.style}">${end.name}</span>`).join("")}<span class="paper">formula (35) as printed</span><span class="one limit">law at unlimited velocity</span>`;
 }
 
 function row(name, ...cells) {
@@ -351,21 +351,46 @@ async function copy(source, button) {
 
 // ---- measurements ----
 
-// Reads two columns of numbers; returns rows in the unit that is chosen, and how many lines were no rows.
+const least = (numbers) => numbers.reduce((a, b) => Math.min(a, b), Infinity);
+const most = (numbers) => -least(numbers.map((number) => -number));
+
+// The measurements in m/s, and the decades they lie in.
+function take(rows) {
+  measured = rows;
+  const logs = rows.map(([g]) => Math.log10(g));
+  decades = [least(logs), most(logs)];
+}
+
+// As many as a figure can show: every n-th of a long file.
+function drawn() {
+  const every = Math.ceil(measured.length / DRAWN);
+  return measured.filter((_, k) => k % every === 0);
+}
+
+// The size of the unit that the head of the velocities names, if it names one.
+function namedUnit(head) {
+  const unit = /(?:^|[^a-zµ])(mm|cm|m)(?:\s*\/\s*s|[\s·]+s\s*(?:\^?-1|⁻¹))(?![a-z])/i.exec(head);
+  return unit && { m: 1, cm: 0.01, mm: 0.001 }[unit[1].toLowerCase()];
+}
+
+// Reads two columns of numbers; returns the rows, the unit that their head names, and how many lines were no rows.
 function columns(content) {
   const rows = [];
   let others = 0;
+  let unit = null;
   let first = true; // a first line without numbers names the columns
   for (const raw of content.replace(/^\uFEFF/, "").split(/\r\n|\r|\n/)) {
     const entry = raw.replace(/[#%].*/, "").trim();
     if (!entry) continue;
     const separator = entry.includes(";") ? ";" : entry.includes("\t") ? "\t" : entry.includes(",") && !/^\S+\s+\S+$/.test(entry) ? "," : /\s+|,/;
-    const words = entry.split(separator).map((word) => parse(word.trim().replace(/^"(.*)"$/, "$1")));
-    if (words.length >= 2 && words[0] > 0 && words[1] > 0 && words[1] <= 2) rows.push([words[0], words[1]]);
-    else if (!first || words.some(Number.isFinite)) others += 1;
+    const cells = entry.split(separator);
+    const words = cells.map((word) => parse(word.trim().replace(/^"(.*)"$/, "$1")));
+    if (words.length >= 2 && words[0] > 1e-100 && words[0] < 1e100 && words[1] > 0 && words[1] <= 2) rows.push([words[0], words[1]]);
+    else if (!first || words.some((word) => !Number.isNaN(word))) others += 1;
+    else unit = namedUnit(cells[0]) ?? namedUnit(entry);
     first = false;
   }
-  return { rows, others };
+  return { rows, unit, others };
 }
 
 async function load(file) {
@@ -374,12 +399,13 @@ async function load(file) {
     note.textContent = `${file.name} has ${Math.round(file.size / 1e6)} MB: use 'restitution fit' for files above 20 MB`;
     return;
   }
-  const { rows, others } = columns(await file.text());
-  const unit = Number(at("unit").value);
-  measured = rows.map(([g, epsilon]) => [g * unit, epsilon]);
-  const unitName = at("unit").selectedOptions[0].textContent;
+  const { rows, unit, others } = columns(await file.text());
+  const size = unit ?? Number(at("unit").value);
+  take(rows.map(([g, epsilon]) => [g * size, epsilon]));
+  const chosen = [...at("unit").options].find((option) => Number(option.value) === size).textContent;
+  const taken = unit === null ? `velocities taken in ${chosen}` : `velocities in ${chosen}, as it says`;
   note.textContent = rows.length
-    ? `${file.name}: ${rows.length} rows, velocities taken in ${unitName}${others ? `; lines that are no pair of a velocity and an ε: ${others}` : ""}`
+    ? `${file.name}: ${rows.length} ${rows.length === 1 ? "row" : "rows"}, ${taken}${others ? `; lines that are no pair of a velocity and an ε: ${others}` : ""}`
     : `${file.name} has no line with a velocity and an ε (above 0 and at most 2): two columns of numbers are needed`;
   at("fit").disabled = measured.length < 2;
   at("clear").disabled = !measured.length;
@@ -397,14 +423,14 @@ function fitted() {
   };
   const asked = measured.filter(([, epsilon]) => epsilon < 1).map(([g, epsilon]) => Math.log(inverse(epsilon, curve) / Math.pow(g, 0.2)));
   if (!asked.length) return NaN;
-  const [least, most] = [Math.min(...asked) - 1e-6, Math.max(...asked) + 1e-6];
-  let best = least;
+  const [first, last] = [least(asked) - 1e-6, most(asked) + 1e-6];
+  let best = first;
   for (let k = 0; k <= 64; k++) {
-    const point = least + ((most - least) * k) / 64;
+    const point = first + ((last - first) * k) / 64;
     if (loss(point) < loss(best)) best = point;
   }
   const golden = 0.5 * (Math.sqrt(5) - 1);
-  let [low, high] = [best - (most - least) / 64, best + (most - least) / 64];
+  let [low, high] = [best - (last - first) / 64, best + (last - first) / 64];
   for (let k = 0; k < 80; k++) {
     const [a, b] = [high - golden * (high - low), low + golden * (high - low)];
     if (loss(a) <= loss(b)) high = b;
@@ -469,7 +495,7 @@ document.addEventListener("drop", (event) => {
   if (event.dataTransfer.files.length) load(event.dataTransfer.files[0]);
 });
 at("clear").addEventListener("click", () => {
-  measured = [];
+  take([]);
   at("file").value = "";
   at("data-note").textContent = "";
   at("fit").disabled = at("clear").disabled = true;

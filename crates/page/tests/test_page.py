@@ -176,6 +176,11 @@ def test_a_file_is_dropped_and_fitted(page):
     [
         ("a;b\n0,1;0,9\n0,2;0,8\n", "2 rows"),
         ("# comment\n0.1\t0.9\n0.2\t0.8\nx y\n", "lines that are no pair of a velocity and an ε: 1"),
+        ("\ufeffg [m/s],eps\r\n0.1,0.5\r\n1,0.4\r\n", "2 rows, velocities in m/s, as it says"),
+        ("v (mm s-1) eps\n0.1 0.5\n1 0.4\n", "2 rows, velocities in mm/s, as it says"),
+        ("1e999,0.5\nnan,0.4\n1e-320,0.5\n-1,0.5\n1,2.5\n3,0.5\n", "1 row, velocities taken in cm/s; lines that are no pair of a velocity and an ε: 5"),
+        ("<img src=x onerror=alert(1)>,b\n1,0.5\n2,0.4\n", "2 rows"),
+        ("1,0.5\n2,0.4\n" * 100_000, "200000 rows"),
         ("", "no line with a velocity"),
         ("\x00\x01\x02", "no line with a velocity"),
     ],
@@ -183,6 +188,7 @@ def test_a_file_is_dropped_and_fitted(page):
 def test_files_as_they_come(page, tmp_path, content, said):
     path = tmp_path / "data.txt"
     path.write_text(content, encoding="utf-8")
+    page.once("pageerror", lambda error: pytest.fail(str(error)))
     page.set_input_files("#file", path)
     page.wait_for_function("document.getElementById('data-note').textContent !== ''")
     assert said in page.inner_text("#data-note")
