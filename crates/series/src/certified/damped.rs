@@ -1,7 +1,7 @@
 //! The orders `x_1, x_2, ...` in the damping, one after the other, in fixed point.
 
 use super::one_variable::exponential;
-use super::power_rows::{PowerRows, Rows};
+use super::power_rows::{Base, PowerRows};
 use super::undamped::{Linearised, Undamped};
 use super::units::{Scale, fixed};
 use crate::kernels::{Fixed, Sum, Transformed, Workshop};
@@ -34,15 +34,15 @@ struct Power {
 impl Power {
     fn new(field: &Field, steps: i64, zeroth: Fixed, reciprocal: &Transformed) -> Self {
         let (shop, unit) = (field.shop, field.scale.lattice.unit);
-        let mut rows = PowerRows::new(steps, unit);
-        rows.push(shop, &zeroth, field.size);
-        let slope = field.settle(shop.sum(&[(1, rows.row(0), reciprocal)])).scaled(|_| (steps, unit));
+        let mut rows = PowerRows::new(steps, unit, field.size, field.rows);
+        rows.push(shop, &zeroth);
+        let slope = field.settle(shop.sum(&[(1, rows.rows.row(0), reciprocal)])).scaled(|_| (steps, unit));
         let slope = field.transform(&slope);
         Self { rows, slope, found: vec![zeroth], defects: Vec::new(), lower: None, denominator: unit }
     }
 
     /// `K_n`, what the lower orders contribute to order `n`.
-    fn prepare(&mut self, field: &Field, x: &Rows, reciprocal: &Transformed) {
+    fn prepare(&mut self, field: &Field, x: &Base, reciprocal: &Transformed) {
         let n = self.found.len() as i64;
         let sum = self.rows.lower(field.shop, x);
         let mean = field.settle(sum.clone()).scaled(|_| (1, self.denominator * n));
@@ -56,11 +56,11 @@ impl Power {
     }
 
     /// Adds order `n`, `p F_0^(p-1) F_n + K_n`, and its defect.
-    fn push(&mut self, field: &Field, x: &Rows) -> Option<()> {
-        let mut row = field.settle(field.shop.sum(&[(1, &self.slope, x.plain.last()?)]));
+    fn push(&mut self, field: &Field, x: &Base) -> Option<()> {
+        let mut row = field.settle(field.shop.sum(&[(1, &self.slope, x.plain.row(self.found.len()))]));
         let (sum, lower) = self.lower.take()?;
         row.add(&lower);
-        self.rows.push(field.shop, &row, field.size);
+        self.rows.push(field.shop, &row);
         let n = self.found.len() as i64;
         let defect = field.settle(self.rows.defect(field.shop, x, sum)?);
         self.defects.push(defect.scaled(|_| (1, n)));
@@ -74,6 +74,7 @@ struct Field<'s> {
     shop: &'s Workshop,
     scale: &'s Scale,
     size: usize,
+    rows: usize,
 }
 
 impl Field<'_> {
@@ -109,7 +110,7 @@ impl Motion {
             return None;
         }
         watch(0);
-        let field = Field { shop, scale, size };
+        let field = Field { shop, scale, size, rows: orders + 1 };
         let lattice = scale.lattice;
         let reciprocal = field.transform(&reciprocal);
         let friction = (!scale.shared).then(|| friction_at_order_zero(&field, &f, &reciprocal));
@@ -118,8 +119,8 @@ impl Motion {
         let [elastic, damping] = scale.powers();
         let mut force = Power::new(&field, elastic, force, &reciprocal);
         let mut friction = friction.map(|zeroth| Power::new(&field, damping, zeroth, &reciprocal));
-        let mut x = Rows::default();
-        x.push(shop, &f, size);
+        let mut x = Base::new(size, orders + 1);
+        x.push(shop, &f);
         let mut found = vec![f];
         for n in 1..=orders {
             force.prepare(&field, &x, &reciprocal);
@@ -137,7 +138,7 @@ impl Motion {
             if !within(&f_n) || !within(source.found.last()?) {
                 return None;
             }
-            x.push(shop, &f_n, size);
+            x.push(shop, &f_n);
             force.push(&field, &x)?;
             if let Some(friction) = &mut friction {
                 friction.push(&field, &x)?;

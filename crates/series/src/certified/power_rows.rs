@@ -1,21 +1,27 @@
 //! A power of a series in two variables, row by row, with the defect of what was found.
 
-use crate::kernels::{Extent, Fixed, Sum, Transformed, Workshop};
+use crate::kernels::{Convolution, Extent, Fixed, Group, Rows, Sum, Workshop, block_for};
 
 /// Rows of a series `X` as factors of products, with their multiples.
-#[derive(Default)]
-pub(crate) struct Rows {
-    pub plain: Vec<Transformed>,
+pub(crate) struct Base {
+    pub plain: Rows,
     /// Row `k` times `k`.
-    pub weighted: Vec<Transformed>,
+    pub weighted: Rows,
+    size: usize,
 }
 
-impl Rows {
-    pub fn push(&mut self, shop: &Workshop, row: &Fixed, size: usize) {
-        let row = shop.transform(row, size, shop.all_primes());
+impl Base {
+    /// For transforms of a size, and so many rows.
+    pub fn new(size: usize, rows: usize) -> Self {
+        let block = block_for(rows);
+        Self { plain: Rows::new(block), weighted: Rows::new(block), size }
+    }
+
+    pub fn push(&mut self, shop: &Workshop, row: &Fixed) {
+        let row = shop.transform(row, self.size, shop.all_primes());
         let order = u32::try_from(self.plain.len()).unwrap_or(u32::MAX);
-        self.weighted.push(row.times(shop, order));
-        self.plain.push(row);
+        self.weighted.push(shop, row.times(shop, order));
+        self.plain.push(shop, row);
     }
 }
 
@@ -29,43 +35,64 @@ impl Rows {
 pub(crate) struct PowerRows {
     steps: i64,
     unit: i64,
-    rows: Vec<Transformed>,
+    size: usize,
+    pub rows: Rows,
+    weighted: Convolution,
+    plain: Convolution,
 }
 
 impl PowerRows {
-    pub fn new(steps: i64, unit: i64) -> Self {
-        Self { steps, unit, rows: Vec::new() }
+    /// For transforms of a size, and so many rows.
+    pub fn new(steps: i64, unit: i64, size: usize, rows: usize) -> Self {
+        let rows = Rows::new(block_for(rows));
+        Self { steps, unit, size, rows, weighted: Convolution::default(), plain: Convolution::default() }
     }
 
-    pub fn push(&mut self, shop: &Workshop, row: &Fixed, size: usize) {
-        self.rows.push(shop.transform(row, size, shop.all_primes()));
+    pub fn push(&mut self, shop: &Workshop, row: &Fixed) {
+        self.rows.push(shop, shop.transform(row, self.size, shop.all_primes()));
     }
 
-    pub fn row(&self, k: usize) -> &Transformed {
-        &self.rows[k]
-    }
-
-    /// The part of row `n >= 2` that the rows below determine, times `unit n`.
-    pub fn lower(&self, shop: &Workshop, x: &Rows) -> Sum {
+    /// The part of row `n >= 1` that the rows below determine, times `unit n`.
+    pub fn lower(&mut self, shop: &Workshop, x: &Base) -> Sum {
         let n = self.rows.len();
-        let weighted = (1..n).map(|k| (&x.weighted[k], &self.rows[n - k])).collect();
-        let plain = (1..n).map(|k| (&x.plain[k], &self.rows[n - k])).collect();
-        let weight = (self.steps.abs() + self.unit) * n as i64;
+        let block = self.rows.block();
+        let (t, r) = (n / block, n % block);
+        let weights = [self.steps + self.unit, -self.unit * n as i64];
+        let rows = &self.rows;
+        let largest = |weight: i64, x: &Rows| -> Extent {
+            let product = |k: usize| x.extent_of_product(k, weight, rows, n - k);
+            (1..n).map(product).fold(Extent::default(), Extent::or)
+        };
+        let most = largest(weights[0], &x.weighted).or(largest(weights[1], &x.plain));
+        let extent = most.plus((2 * n).ilog2() + 2);
+        let groups = [(weights[0], &x.weighted), (weights[1], &x.plain)].map(|(weight, x)| -> Group {
+            let first = (1..if t == 0 { n } else { r + 1 }).map(|k| (x.row(k), rows.row(n - k)));
+            let last = (1..if t == 0 { 1 } else { r + 1 }).map(|l| (x.row(n - l), rows.row(l)));
+            (weight, first.chain(last).collect())
+        });
         // The defect has two more products, of rows that are hardly larger than those below.
-        let largest =
-            |rows: &[Transformed]| rows.iter().map(Transformed::extent).fold(Extent::default(), Extent::or);
-        let sizes = x.plain[0].size().ilog2() + weight.ilog2() + n.ilog2() + 40;
-        let extent = largest(&x.plain).times(largest(&self.rows)).plus(sizes);
-        let groups = [(self.steps + self.unit, weighted), (-self.unit * n as i64, plain)];
-        shop.sum_of_groups(&groups, self.rows[0].size(), extent)
+        let weight = (self.steps.abs() + self.unit) * n as i64;
+        let spare = extent.or(x.plain.extent_of_any(weight, rows)).plus(24);
+        let mut sum = shop.sum_of_groups(&groups, self.size, spare);
+        if t > 0 {
+            for (sums, x, weight) in
+                [(&mut self.weighted, &x.weighted, weights[0]), (&mut self.plain, &x.plain, weights[1])]
+            {
+                sums.prepare(shop, x, &self.rows, t);
+                sums.add_row(shop, &mut sum, r, weight);
+            }
+            shop.set_extent(&mut sum, extent);
+        }
+        sum
     }
 
     /// The defect of row `n`, the last one, times `unit n`: the whole sum over `k = 0..n`.
-    pub fn defect(&self, shop: &Workshop, x: &Rows, mut lower: Sum) -> Option<Sum> {
+    pub fn defect(&self, shop: &Workshop, x: &Base, mut lower: Sum) -> Option<Sum> {
         let n = self.rows.len() - 1;
         let weight = self.unit * n as i64;
-        let (first, last) = (&self.rows[0], &self.rows[n]);
-        shop.add(&mut lower, &[(-weight, &x.plain[0], last), (self.steps * n as i64, &x.plain[n], first)])?;
+        let (first, last) = (self.rows.row(0), self.rows.row(n));
+        let ends = [(-weight, x.plain.row(0), last), (self.steps * n as i64, x.plain.row(n), first)];
+        shop.add(&mut lower, &ends)?;
         Some(lower)
     }
 }

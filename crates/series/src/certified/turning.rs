@@ -1,7 +1,7 @@
 //! The turning point and the largest compression as series in the damping, in fixed point.
 
 use super::one_variable::{one, reciprocal};
-use super::power_rows::{PowerRows, Rows};
+use super::power_rows::{Base, PowerRows};
 use super::units::{Scale, fixed};
 use crate::kernels::{Fixed, Transformed, Workshop, size_for};
 use restitution_law::Lattice;
@@ -38,25 +38,25 @@ struct Power {
 impl Power {
     fn new(steps: i64, unit: i64, constant: &Integer, width: usize) -> Self {
         let zeroth = Fixed::from_integers(std::slice::from_ref(constant), width);
-        Self { steps, unit, found: vec![zeroth], rows: PowerRows::new(steps, unit) }
+        Self { steps, unit, found: vec![zeroth], rows: PowerRows::new(steps, unit, 1, 1) }
     }
 
-    fn transform_again(&mut self, shop: &Workshop, size: usize) {
-        self.rows = PowerRows::new(self.steps, self.unit);
+    fn transform_again(&mut self, shop: &Workshop, size: usize, rows: usize) {
+        self.rows = PowerRows::new(self.steps, self.unit, size, rows);
         for row in &self.found {
-            self.rows.push(shop, row, size);
+            self.rows.push(shop, row);
         }
     }
 
     /// Row `n` from the rows of the trajectory up to `n`; `X_0 = 1`, so that nothing is divided.
     ///
     /// Every coefficient has an error of less than 2 units against the rows below.
-    fn push(&mut self, shop: &Workshop, x: &Rows, size: usize) -> Option<()> {
+    fn push(&mut self, shop: &Workshop, x: &Base) -> Option<()> {
         let n = self.found.len();
         let mut sum = self.rows.lower(shop, x);
-        shop.add(&mut sum, &[(self.steps * n as i64, &x.plain[n], self.rows.row(0))])?;
+        shop.add(&mut sum, &[(self.steps * n as i64, x.plain.row(n), self.rows.rows.row(0))])?;
         let row = shop.settle(sum, n + 1, shop.bits()).scaled(|_| (1, self.unit * n as i64));
-        self.rows.push(shop, &row, size);
+        self.rows.push(shop, &row);
         self.found.push(row);
         Some(())
     }
@@ -85,9 +85,10 @@ impl Neighbourhood {
         let mut friction =
             (!scale.shared).then(|| Power::new(damping, unit, &constant(&turning.damping), shop.width()));
         let mut rows: Vec<Fixed> = vec![one(shop)];
-        let mut x = Rows::default();
+        let orders = position.len();
+        let mut x = Base::new(1, orders);
         let mut size = 0;
-        for k in 0..position.len() {
+        for k in 0..orders {
             if k > 0 {
                 let drag = friction.as_ref().unwrap_or(&force);
                 let forces = (k >= 2).then(|| (&force.found[k - 2], &drag.found[k - 2]));
@@ -98,18 +99,19 @@ impl Neighbourhood {
                 rows.push(Fixed::from_integers(&row, shop.width()));
             }
             if k + 1 > size {
-                size = size_for(2 * k + 4);
-                x = Rows::default();
-                rows.iter().for_each(|row| x.push(shop, row, size));
-                force.transform_again(shop, size);
-                friction.iter_mut().for_each(|power| power.transform_again(shop, size));
+                // Row n of a power has degree n.
+                size = size_for((k + k / 2 + 4).min(orders));
+                x = Base::new(size, orders);
+                rows.iter().for_each(|row| x.push(shop, row));
+                force.transform_again(shop, size, orders);
+                friction.iter_mut().for_each(|power| power.transform_again(shop, size, orders));
             } else {
-                x.push(shop, &rows[k], size);
+                x.push(shop, &rows[k]);
             }
-            if k > 0 && k + 2 < position.len() {
-                force.push(shop, &x, size)?;
+            if k > 0 && k + 2 < orders {
+                force.push(shop, &x)?;
                 if let Some(friction) = &mut friction {
-                    friction.push(shop, &x, size)?;
+                    friction.push(shop, &x)?;
                 }
             }
         }

@@ -58,13 +58,7 @@ impl Radix {
     /// The residue of a two's complement integer, below `p`.
     pub fn residue(&self, words: &[u64]) -> u64 {
         let count = effective(words);
-        let (mut low, mut high) = (0u128, 0u128);
-        for (words, powers) in words[..count].chunks(4).zip(self.powers.chunks(4)) {
-            let products = words.iter().zip(powers).map(|(&w, &q)| u128::from(w) * u128::from(q));
-            let sum = products.fold(0u128, |sum, product| sum.wrapping_add(product));
-            low += sum & u128::from(u64::MAX);
-            high += sum >> 64;
-        }
+        let (low, high) = dot(&words[..count], &self.powers[..count]);
         let prime = &self.prime;
         let residue =
             prime.add(prime.mul(prime.reduced(low), self.low), prime.mul(prime.reduced(high), self.high));
@@ -82,7 +76,7 @@ pub(super) struct Level {
     words: usize,
     /// The form of `(P/p_i)^(-1)` modulo `p_i`.
     inverses: Vec<u64>,
-    /// `floor(2^(64 words)/p_i)`.
+    /// `floor(2^(64 words)/p_i)`: for each word those of all primes.
     fractions: Vec<u64>,
     /// `floor(P/2^(shift - 64))`.
     product: Vec<u64>,
@@ -97,11 +91,12 @@ impl Level {
         let bits = product.significant_bits().saturating_sub(shift) + 62 + 24 + count.ilog2() + 1;
         let words = bits.div_ceil(64) as usize;
         let one = Integer::from(1) << (64 * words as u32);
-        let mut fractions = Vec::with_capacity(count * words);
-        for prime in primes {
-            let mut digits = Integer::from(&one / prime.p).to_digits::<u64>(Order::Lsf);
-            digits.resize(words, 0);
-            fractions.extend(digits);
+        let mut fractions = vec![0; count * words];
+        for (i, prime) in primes.iter().enumerate() {
+            let digits = Integer::from(&one / prime.p).to_digits::<u64>(Order::Lsf);
+            for (w, digit) in digits.into_iter().enumerate() {
+                fractions[w * count + i] = digit;
+            }
         }
         let inverse = |i: usize| {
             let prime = &primes[i];
@@ -124,12 +119,19 @@ impl Level {
         out: &mut [u64],
     ) {
         let words = self.words;
+        let count = self.count;
         scratch.clear();
-        scratch.resize(2 * words + self.product.len() + 2, 0);
+        scratch.extend((0..count).map(|i| primes[i].mul(residue(i), self.inverses[i])));
+        scratch.resize(count + 2 * words + self.product.len() + 2, 0);
+        let (multiples, scratch) = scratch.split_at_mut(count);
         let (fraction, rest) = scratch.split_at_mut(words);
-        for (i, prime) in primes[..self.count].iter().enumerate() {
-            let t = prime.mul(residue(i), self.inverses[i]);
-            add_multiple(fraction, &self.fractions[i * words..(i + 1) * words], t);
+        let mut carry = 0u128;
+        for (digit, fractions) in fraction.iter_mut().zip(self.fractions.chunks_exact(count)) {
+            let (low, high) = dot(fractions, multiples);
+            // Less than 2^127, with fewer than 2^60 primes.
+            carry += low;
+            *digit = carry as u64;
+            carry = (carry >> 64) + high;
         }
         let negative = is_negative(fraction);
         if negative {
@@ -157,6 +159,26 @@ impl Level {
             negate(out);
         }
     }
+}
+
+/// `sum x_i y_i = low + 2^64 high` for `y_i < 2^62`: four products fit into 128 bits.
+#[inline]
+fn dot(x: &[u64], y: &[u64]) -> (u128, u128) {
+    let product = |x: u64, y: u64| u128::from(x) * u128::from(y);
+    let (mut low, mut high) = (0u128, 0u128);
+    let (xs, x_rest) = x.as_chunks::<4>();
+    let (ys, y_rest) = y.as_chunks::<4>();
+    for (&[a, b, c, d], &[e, f, g, h]) in xs.iter().zip(ys) {
+        let sum = (product(a, e) + product(b, f)).wrapping_add(product(c, g)).wrapping_add(product(d, h));
+        low += u128::from(sum as u64);
+        high += sum >> 64;
+    }
+    for (&x, &y) in x_rest.iter().zip(y_rest) {
+        let product = product(x, y);
+        low += u128::from(product as u64);
+        high += product >> 64;
+    }
+    (low, high)
 }
 
 /// `sum += x digit`, modulo the words of `sum`.

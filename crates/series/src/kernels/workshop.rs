@@ -24,7 +24,7 @@ pub(crate) struct Workshop {
     width: usize,
     /// Bits by which coefficients are expected to fall with each term, as a fraction.
     decay: (usize, usize),
-    primes: Vec<Prime>,
+    pub(super) primes: Vec<Prime>,
     radices: Vec<Radix>,
     roots: Mutex<HashMap<usize, Arc<Vec<Roots>>>>,
     levels: Mutex<HashMap<(usize, u32), Arc<Level>>>,
@@ -34,11 +34,11 @@ pub(crate) struct Workshop {
 /// A series as values at roots of unity modulo the first primes.
 #[derive(Clone, Debug)]
 pub(crate) struct Transformed {
-    size: usize,
-    count: usize,
-    len: usize,
-    extent: Extent,
-    values: Vec<u64>,
+    pub(super) size: usize,
+    pub(super) count: usize,
+    pub(super) len: usize,
+    pub(super) extent: Extent,
+    pub(super) values: Vec<u64>,
 }
 
 /// How large coefficients are: `|c_j| < 2^peak` and `|c_j| < 2^(reach - fall(j))`.
@@ -71,12 +71,9 @@ impl Extent {
 }
 
 impl Transformed {
-    pub fn size(&self) -> usize {
-        self.size
-    }
-
-    pub fn extent(&self) -> Extent {
-        self.extent
+    /// The number of terms and their extent.
+    fn scale(&self) -> (usize, Extent) {
+        (self.len, self.extent)
     }
 
     /// Every coefficient times a small number.
@@ -94,10 +91,10 @@ impl Transformed {
 /// A sum of products before it is transformed back.
 #[derive(Clone)]
 pub(crate) struct Sum {
-    size: usize,
-    count: usize,
-    extent: Extent,
-    values: Vec<u64>,
+    pub(super) size: usize,
+    pub(super) count: usize,
+    pub(super) extent: Extent,
+    pub(super) values: Vec<u64>,
 }
 
 /// A group of products with one integer weight.
@@ -151,7 +148,7 @@ impl Workshop {
         (0..series.len()).map(place).fold(Extent::default(), Extent::or)
     }
 
-    fn roots(&self, size: usize) -> Arc<Vec<Roots>> {
+    pub(super) fn roots(&self, size: usize) -> Arc<Vec<Roots>> {
         let mut roots = self.roots.lock().unwrap_or_else(PoisonError::into_inner);
         let make = || Arc::new(self.primes.par_iter().map(|&prime| Roots::new(prime, size)).collect());
         Arc::clone(roots.entry(size).or_insert_with(make))
@@ -192,8 +189,9 @@ impl Workshop {
     pub fn sum_of_groups(&self, groups: &[Group], size: usize, extent: Extent) -> Sum {
         let products =
             || groups.iter().flat_map(|(weight, pairs)| pairs.iter().map(move |pair| (weight, pair)));
-        let most =
-            products().map(|(weight, (a, b))| extent_of(*weight, a, b)).fold(Extent::default(), Extent::or);
+        let most = products()
+            .map(|(weight, (a, b))| extent_of(*weight, a.scale(), b.scale()))
+            .fold(Extent::default(), Extent::or);
         let needed = most.plus(products().count().max(1).ilog2() + 2);
         let count = primes_for(extent.bits().min(capacity(self.primes.len())).max(needed.bits()));
         debug_assert!(products().all(|(_, (a, b))| a.size == size && b.size == size));
@@ -212,11 +210,21 @@ impl Workshop {
         Sum { size, count, extent: needed, values }
     }
 
+    /// Sets the extent of a sum to which products were added; notices if it has too few primes for it.
+    pub fn set_extent(&self, sum: &mut Sum, extent: Extent) {
+        sum.extent = extent;
+        if primes_for(extent.bits()) > sum.count {
+            self.overflow.store(true, Ordering::Relaxed);
+        }
+    }
+
     /// Adds products to a sum, if it has the primes for them.
     pub fn add(&self, sum: &mut Sum, terms: &[(i64, &Transformed, &Transformed)]) -> Option<()> {
         let groups: Vec<Group> = terms.iter().map(|&(weight, a, b)| (weight, vec![(a, b)])).collect();
-        let most =
-            terms.iter().map(|&(weight, a, b)| extent_of(weight, a, b)).fold(Extent::default(), Extent::or);
+        let most = terms
+            .iter()
+            .map(|&(weight, a, b)| extent_of(weight, a.scale(), b.scale()))
+            .fold(Extent::default(), Extent::or);
         sum.extent = sum.extent.or(most.plus(terms.len().ilog2() + 1)).plus(1);
         if primes_for(sum.extent.bits()) > sum.count {
             return None;
@@ -226,7 +234,7 @@ impl Workshop {
         Some(())
     }
 
-    fn add_groups(&self, i: usize, size: usize, groups: &[Group], row: &mut [u64]) {
+    pub(super) fn add_groups(&self, i: usize, size: usize, groups: &[Group], row: &mut [u64]) {
         let prime = &self.primes[i];
         for (weight, pairs) in groups {
             // Two reductions below divide by 2^64 each, the multiplication by the weight once more.
@@ -323,10 +331,10 @@ impl Workshop {
     }
 }
 
-/// The extent of a weighted product.
-fn extent_of(weight: i64, a: &Transformed, b: &Transformed) -> Extent {
-    let terms = a.len.min(b.len).max(1);
-    a.extent.times(b.extent).plus(64 - weight.unsigned_abs().leading_zeros() + terms.ilog2() + 2)
+/// The extent of a weighted product of factors with so many terms and such an extent.
+pub(super) fn extent_of(weight: i64, (a, x): (usize, Extent), (b, y): (usize, Extent)) -> Extent {
+    let terms = a.min(b).max(1);
+    x.times(y).plus(64 - weight.unsigned_abs().leading_zeros() + terms.ilog2() + 2)
 }
 
 /// Bits of the absolute value, at most one too many.
