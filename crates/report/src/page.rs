@@ -6,6 +6,8 @@ use restitution_table::{Cell, Format, Table};
 use std::fmt::Write as _;
 
 const STYLE: &str = include_str!("page.css");
+/// Shows values under the pointer.
+const POINTER: &str = include_str!("pointer.js");
 /// Marks a page, and with it a folder, as one of this command's.
 pub const GENERATOR: &str = "<meta name=\"generator\" content=\"restitution report\">";
 
@@ -91,7 +93,8 @@ pub fn html(machine: &Machine, sections: &[Section]) -> String {
         }
         out += "</section>\n";
     }
-    out + "</main>\n</body>\n</html>\n"
+    let _ = write!(out, "</main>\n<script>\n{POINTER}</script>\n</body>\n</html>\n");
+    out
 }
 
 fn write_figure(out: &mut String, figure: &Figure, number: usize) {

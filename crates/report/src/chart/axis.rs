@@ -56,6 +56,12 @@ impl Axis {
         place.is_finite().then_some(place)
     }
 
+    /// Returns the scale, its ends and where in a drawing they lie, as `pointer.js` reads it.
+    pub fn written(&self, from: f64, to: f64) -> String {
+        let scale = if self.scale == Scale::Log { "log" } else { "linear" };
+        format!("{scale} {} {} {from} {to}", self.low, self.high)
+    }
+
     /// Whether a value lies on the axis.
     pub fn holds(&self, value: f64) -> bool {
         self.place(value).is_some_and(|place| (-1e-9..=1.0 + 1e-9).contains(&place))

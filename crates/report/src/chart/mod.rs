@@ -2,7 +2,7 @@
 //!
 //! One drawing serves light and dark pages and print: every colour is a class of `chart.css`, which
 //! plotting libraries, with colours by value, do not offer. The legend has a column of its own, so that
-//! nothing is drawn over the data.
+//! nothing is drawn over the data. The scales are written down too, for the script that reads values off the drawing.
 
 mod axis;
 mod labels;
@@ -119,8 +119,12 @@ impl Chart {
         let id = &self.id;
         let title = escape(&self.title);
         let height = HEIGHT.max(TOP + LEGEND_STEP * (self.series.len() + 1) as f64);
+        let (across, upward) = (self.x.written(LEFT, RIGHT), self.y.written(BOTTOM, TOP));
+        let (label, area) = (escape(&self.x.label), format!("{LEFT} {RIGHT} {TOP} {BOTTOM}"));
+        let scales =
+            format!("data-x=\"{across}\" data-y=\"{upward}\" data-area=\"{area}\" data-across=\"{label}\"");
         let mut out = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" aria-labelledby=\"{id}-title\">\n<title id=\"{id}-title\">{title}</title>\n{style}"
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" viewBox=\"0 0 {WIDTH} {height}\" {scales} role=\"img\" aria-labelledby=\"{id}-title\">\n<title id=\"{id}-title\">{title}</title>\n{style}"
         );
         let (width, tall) = (RIGHT - LEFT, BOTTOM - TOP);
         let _ = writeln!(
@@ -189,7 +193,12 @@ impl Chart {
             open = true;
         }
         let (class, id) = (class(series), &self.id);
-        let _ = writeln!(out, "<path class=\"line {class}\" clip-path=\"url(#{id}-clip)\" d=\"{path}\"/>");
+        let name = match &series.name {
+            name if name.is_empty() => String::new(),
+            name => format!(" data-name=\"{}\"", escape(name)),
+        };
+        let _ =
+            writeln!(out, "<path class=\"line {class}\"{name} clip-path=\"url(#{id}-clip)\" d=\"{path}\"/>");
     }
 
     fn marks(&self, out: &mut String, series: &Series, labels: &mut Labels) {
@@ -292,7 +301,8 @@ mod tests {
         chart.series.push(Series::line("far off", 2, [(0.0, 1.0), (0.5, 0.0), (1.0, 1e300)]));
         let svg = chart.svg();
         assert!(svg.contains("A &lt; B") && svg.contains(">u</text>") && svg.contains(">error</text>"));
-        assert!(svg.contains("class=\"line c2\" clip-path=\"url(#f-clip)\""));
+        assert!(svg.contains("class=\"line c2\" data-name=\"far off\" clip-path=\"url(#f-clip)\""));
+        assert!(svg.contains("data-x=\"linear 0 1 76 650\" data-y=\"log -3 0 440 26\""), "{svg}");
         assert!(svg.contains("M76 26M650 -1216"), "a point without a place interrupts the line: {svg}");
     }
 }
