@@ -44,7 +44,9 @@ fn a_report_is_whole_needs_no_network_and_agrees_with_what_is_known() {
 
 fn the_page_stands_alone(page: &str, folder: &Path) {
     let links = page.replace("http://www.w3.org/2000/svg", "");
-    for outside in ["http:", "https:", "//cdn", "<script", "@import", "url(\"", "src="] {
+    for outside in
+        ["http:", "https:", "//cdn", "<script ", "fetch(", "import(", "XMLHttp", "@import", "url(\"", "src="]
+    {
         assert!(!links.contains(outside), "{outside}");
     }
     let charts = page.matches("<svg").count();
