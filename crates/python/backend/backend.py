@@ -4,6 +4,7 @@ GMP is built from source and needs a C compiler, make and m4. In a clone of the 
 the system's package manager, or the line that `scripts/need` prints says how; a source distribution names what is missing.
 """
 
+import os
 import pathlib
 import shutil
 import subprocess
@@ -19,7 +20,8 @@ def _tools():
     if _NEED.exists():
         if subprocess.run(["sh", str(_NEED), *_TOOLS]).returncode != 0:
             raise SystemExit(1)  # it has said what to do
-        return
+        os.environ.setdefault("MATURIN_PEP517_ARGS", "--locked")
+        return  # in a source distribution the lock file names crates that are not there
     missing = [tool for tool in _TOOLS if shutil.which(tool) is None]
     if missing:
         raise SystemExit(
