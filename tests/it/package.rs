@@ -58,3 +58,17 @@ fn every_crate_for_others_says_what_it_is() {
     }
     assert_eq!(published, 15, "attack and python stay here, all else is published");
 }
+
+#[test]
+fn the_version_is_one() {
+    let read =
+        |name: &str| std::fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let version = env!("CARGO_PKG_VERSION");
+    assert!(read("CITATION.cff").contains(&format!("\nversion: {version}\n")));
+    assert!(read("CHANGELOG.md").contains(&format!("\n## {version} - ")));
+    let manifest = read("Cargo.toml");
+    let crates = manifest.lines().filter(|line| line.contains("path = \"crates/")).collect::<Vec<_>>();
+    assert!(
+        crates.len() > 10 && crates.iter().all(|line| line.contains(&format!("version = \"{version}\"")))
+    );
+}
