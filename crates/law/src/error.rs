@@ -30,6 +30,9 @@ pub enum LawError {
         /// The exponent that was given.
         beta: BigRational,
     },
+    /// An exponent is longer or larger than anyone needs.
+    #[error(transparent)]
+    Number(#[from] crate::exact::NumberError),
     /// The text is not a pair of exponents.
     #[error("'{text}' is not a force law: write it as A,GAMMA with fractions or decimals, such as 3/2,1/2")]
     NotALaw {

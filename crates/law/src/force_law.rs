@@ -140,7 +140,7 @@ impl FromStr for ForceLaw {
     fn from_str(text: &str) -> Result<Self, LawError> {
         let read = |exponent: &str| match exponent.parse::<Exact>() {
             Ok(exponent) => Ok(exponent.value().clone()),
-            Err(NumberError::TooLong) => Err(LawError::TooFine { law: text.to_owned() }),
+            Err(error @ NumberError::TooLong) => Err(error.into()),
             Err(_) => Err(LawError::NotALaw { text: text.to_owned() }),
         };
         let not_a_law = || LawError::NotALaw { text: text.to_owned() };

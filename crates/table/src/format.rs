@@ -13,4 +13,6 @@ pub enum Format {
     Latex,
     /// A pipe table.
     Markdown,
+    /// Numbers separated by blanks, names and notes in comments: for programs that look values up.
+    Lookup,
 }

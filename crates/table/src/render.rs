@@ -1,4 +1,4 @@
-//! The five forms of a table.
+//! The forms of a table.
 
 use crate::{Cell, Format, Table};
 use serde_json::{Map, Value};
@@ -12,19 +12,62 @@ impl Table {
             Format::Json => self.json(),
             Format::Latex => self.latex(),
             Format::Markdown => self.markdown(),
+            Format::Lookup => self.lookup(),
         }
     }
 
     fn text(&self) -> String {
-        let cells = self.rows.iter().map(|row| row.iter().map(Cell::plain).collect::<Vec<_>>());
-        let mut lines = std::iter::once(self.columns.clone()).chain(cells).collect::<Vec<_>>();
-        for column in 0..self.columns.len() {
-            align(&mut lines, column, self.is_numeric(column));
+        let layout = self.layout();
+        let mut out = self.title.iter().map(|title| format!("{title}\n\n")).collect::<String>();
+        let mut line = String::new();
+        let mut add = |cells: &mut dyn Iterator<Item = String>, header: bool| {
+            line.clear();
+            for (k, (cell, column)) in cells.zip(&layout).enumerate() {
+                line.push_str(if k > 0 { "  " } else { "" });
+                column.pad(&mut line, &cell, header);
+            }
+            out.push_str(line.trim_end());
+            out.push('\n');
+        };
+        add(&mut self.columns.iter().cloned(), true);
+        for row in &self.rows {
+            add(&mut row.iter().map(Cell::plain), false);
         }
-        let lines = lines.iter().map(|line| format!("{}\n", line.join("  ").trim_end())).collect::<String>();
-        let title = self.title.iter().map(|title| format!("{title}\n\n")).collect::<String>();
         let gap = if self.notes.is_empty() { "" } else { "\n" };
-        title + &lines + gap + &self.notes.iter().map(|note| format!("{note}\n")).collect::<String>()
+        out + gap + &self.notes.iter().map(|note| format!("{note}\n")).collect::<String>()
+    }
+
+    /// How wide each column is; the cells are made twice rather than kept, as there may be millions.
+    fn layout(&self) -> Vec<Column> {
+        let columns = self.columns.iter().enumerate().map(|(k, name)| {
+            let numeric = self.is_numeric(k);
+            let (mut before, mut after) = (0, 0);
+            for row in &self.rows {
+                let cell = row[k].plain();
+                let behind = if numeric { behind(&cell) } else { 0 };
+                before = before.max(length(&cell) - behind);
+                after = after.max(behind);
+            }
+            Column { numeric, after, width: length(name).max(before + after) }
+        });
+        columns.collect()
+    }
+
+    fn lookup(&self) -> String {
+        let comment = |text: &String| format!("# {}\n", text.replace('\n', "\n# "));
+        let mut out = self.title.iter().map(comment).collect::<String>();
+        out += &self.notes.iter().map(comment).collect::<String>();
+        out += &comment(&self.columns.join(" "));
+        let whole = |row: &&Vec<Cell>| !row.contains(&Cell::Empty);
+        for row in self.rows.iter().filter(whole) {
+            out += &row
+                .iter()
+                .map(|cell| cell.plain().replace(char::is_whitespace, "_"))
+                .collect::<Vec<_>>()
+                .join(" ");
+            out.push('\n');
+        }
+        out
     }
 
     fn csv(&self) -> String {
@@ -39,16 +82,33 @@ impl Table {
     }
 
     fn json(&self) -> String {
-        let object = |row: &Vec<Cell>| {
-            Value::Object(self.columns.iter().cloned().zip(row.iter().map(Cell::json)).collect::<Map<_, _>>())
-        };
-        let rows = Value::Array(self.rows.iter().map(object).collect());
-        if self.fields.is_empty() {
-            return format!("{rows:#}\n");
+        let (open, inner) = if self.fields.is_empty() { ("[", "  ") } else { ("  \"rows\": [", "    ") };
+        let mut out = String::new();
+        if !self.fields.is_empty() {
+            out += "{\n";
+            for (name, value) in &self.fields {
+                out += &format!("  {}: {},\n", Value::from(name.as_str()), value.json());
+            }
         }
-        let fields = self.fields.iter().map(|(name, value)| (name.clone(), value.json()));
-        let whole = fields.chain([("rows".to_owned(), rows)]).collect::<Map<_, _>>();
-        format!("{:#}\n", Value::Object(whole))
+        out += open;
+        // row by row, as a tree of a million rows is large
+        for (k, row) in self.rows.iter().enumerate() {
+            out += if k > 0 { ",\n" } else { "\n" };
+            let cells = self.columns.iter().cloned().zip(row.iter().map(Cell::json)).collect::<Map<_, _>>();
+            let object = format!("{:#}", Value::Object(cells));
+            for (k, line) in object.lines().enumerate() {
+                out += if k > 0 { "\n" } else { "" };
+                out += inner;
+                out += line;
+            }
+        }
+        out += match (self.fields.is_empty(), self.rows.is_empty()) {
+            (true, true) => "]\n",
+            (true, false) => "\n]\n",
+            (false, true) => "]\n}\n",
+            (false, false) => "\n  ]\n}\n",
+        };
+        out
     }
 
     fn markdown(&self) -> String {
@@ -84,24 +144,33 @@ impl Table {
     }
 }
 
-/// Pads a column to one width: texts on the left, numbers with their decimal points in line.
-fn align(lines: &mut [Vec<String>], column: usize, numeric: bool) {
-    let length = |text: &str| text.chars().count();
-    let behind = |text: &str| text.find(['.', 'e', '/']).map_or(0, |point| length(&text[point..]));
-    if numeric {
-        let longest = lines[1..].iter().map(|line| behind(&line[column])).max().unwrap_or(0);
-        for line in &mut lines[1..] {
-            let missing = longest - behind(&line[column]);
-            line[column].extend(std::iter::repeat_n(' ', missing));
-        }
-    }
-    let width = lines.iter().map(|line| length(&line[column])).max().unwrap_or(0);
-    for line in lines {
-        let cell = &mut line[column];
+/// How a column of the text form is set: texts on the left, numbers with their decimal points in line.
+struct Column {
+    numeric: bool,
+    /// The most characters from the decimal point on.
+    after: usize,
+    width: usize,
+}
+
+impl Column {
+    fn pad(&self, line: &mut String, cell: &str, header: bool) {
+        let missing = if self.numeric && !header { self.after - behind(cell) } else { 0 };
         // A width of format! ends at 65535, and digits do not.
-        let padding = " ".repeat(width - length(cell));
-        if numeric { cell.insert_str(0, &padding) } else { cell.push_str(&padding) }
+        let rest = self.width - length(cell) - missing;
+        let (left, right) = if self.numeric { (rest, missing) } else { (0, rest) };
+        line.extend(std::iter::repeat_n(' ', left));
+        line.push_str(cell);
+        line.extend(std::iter::repeat_n(' ', right));
     }
+}
+
+fn length(text: &str) -> usize {
+    text.chars().count()
+}
+
+/// The characters from the decimal point on.
+fn behind(text: &str) -> usize {
+    text.find(['.', 'e', '/']).map_or(0, |point| length(&text[point..]))
 }
 
 impl Cell {
@@ -164,6 +233,15 @@ mod tests {
     fn text_is_aligned() {
         let text = "Title\n\n k    value  says\n 1  -1.5e-7  a|b, 100 % \"c\"\n10           0.25\n\nNote.\n";
         assert_eq!(sample().render(Format::Text), text);
+    }
+
+    #[test]
+    fn lookup_has_numbers_alone() {
+        let mut table = Table::new(&["velocity", "epsilon"]).titled("Law");
+        table.push(vec![0.1.into(), Cell::digits("0.5")]);
+        table.push(vec![0.2.into(), Cell::Empty]);
+        table.note("Note.");
+        assert_eq!(table.render(Format::Lookup), "# Law\n# Note.\n# velocity epsilon\n0.1 0.5\n");
     }
 
     #[test]

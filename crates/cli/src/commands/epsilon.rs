@@ -15,6 +15,7 @@ use rayon::prelude::*;
 use refusals::Refusals;
 use restitution_direct::{Collision, DirectError, End, saturation_radius, saturation_speed};
 use restitution_real::Ball;
+use restitution_table::Format;
 
 /// The largest number of digits that is accepted: 1000 take minutes.
 const LARGEST_DIGITS: usize = 10_000;
@@ -105,15 +106,22 @@ impl EpsilonArgs {
             })
             .collect();
         drop(progress);
-        let first = if self.velocity.is_empty() { "u" } else { "velocity" };
+        let lookup = self.output.format == Format::Lookup && !self.velocity.is_empty();
+        let first = match (self.velocity.is_empty(), lookup) {
+            (true, _) => "u",
+            (false, false) => "velocity",
+            (false, true) => "velocity_in_m_per_s",
+        };
         let second = if self.quantity == Printed::Epsilon { "epsilon" } else { "one_minus_epsilon" };
         let mut table = Table::new(&[first, second]).titled(format!("Force law {}", self.law.law));
         let mut refusals = Refusals::default();
         for ((name, _), value) in points.into_iter().zip(values) {
+            let shown = name.clone();
+            let name = if lookup { in_si(&name)? } else { name };
             let cell = match value {
                 Ok(ball) => Cell::Digits(self.shown(&ball)?),
                 Err(error) => {
-                    refusals.add(&name, error);
+                    refusals.add(&shown, error);
                     Cell::Empty
                 }
             };
@@ -174,6 +182,12 @@ impl EpsilonArgs {
             || CliError::failure(format!("{} digits could not be proved: ask for fewer", self.digits));
         ball.to_digits(self.digits).ok_or_else(unproved)
     }
+}
+
+/// A velocity as a number in m/s.
+fn in_si(text: &str) -> Result<String, CliError> {
+    let velocity = units::velocity(text).map_err(CliError::usage)?.to_f64();
+    Ok(if (1e-4..1e6).contains(&velocity) { velocity.to_string() } else { format!("{velocity:e}") })
 }
 
 /// A request that no collision can meet is at fault itself; everything else is a failure.

@@ -65,7 +65,7 @@ pub enum Command {
     /// What follows from a material, a measurement or the input of a discrete-element code
     Material(Box<material::MaterialArgs>),
     /// Padé approximants: constants, verdicts, maps, recommended and published ones
-    Pade(pade::PadeArgs),
+    Pade(Box<pade::PadeArgs>),
 }
 
 /// Reads the arguments, the program's name first, and carries out what they ask for.

@@ -5,6 +5,7 @@ mod judgement;
 mod literature;
 mod map;
 mod recommended;
+mod series;
 
 use crate::args::{EndArgs, LawArgs, count};
 use crate::exact::Exact;
@@ -15,6 +16,7 @@ use judgement::{Judged, Request, constants, judge, report};
 use num_rational::BigRational;
 use restitution_direct::End;
 use restitution_pade::{PadeError, PadeType};
+use std::path::PathBuf;
 
 /// The largest degree that is accepted.
 const LARGEST_DEGREE: usize = 300;
@@ -26,7 +28,8 @@ const LARGEST_SIDE: usize = 40;
 #[command(
     after_help = "Examples:\n  restitution pade 3 8\n  restitution pade 3 6 --end zero-force --digits 40\n  \
     restitution pade 20 25 --at-infinity=17 --range 0,7.5\n  restitution pade --table 8\n  \
-    restitution pade --list recommended --format markdown"
+    restitution pade --list recommended --format markdown\n  \
+    restitution pade 2 2 --series coefficients.txt"
 )]
 pub struct PadeArgs {
     /// Degree of the numerator
@@ -35,6 +38,9 @@ pub struct PadeArgs {
     /// Degree of the denominator
     #[arg(value_name = "M", value_parser = degree)]
     denominator: Option<usize>,
+    /// Take the coefficients from a file, constant term first, exact: decimals or fractions; - is stdin
+    #[arg(long, value_name = "FILE", requires = "numerator", conflicts_with_all = ["variable", "at_infinity", "law", "end"])]
+    series: Option<PathBuf>,
     /// Map the table of all approximants up to [N/N], with verdicts
     #[arg(long, value_name = "N", value_parser = side, conflicts_with_all = ["numerator", "list", "at_infinity"])]
     table: Option<usize>,
@@ -143,7 +149,13 @@ impl PadeArgs {
                 let request = self.request(PadeType::new(side, side));
                 map::table(&self.expansion()?, &request)?
             }
-            (None, None) => self.constants()?,
+            (None, None) => match &self.series {
+                Some(path) => {
+                    let _progress = Progress::unknown("approximant");
+                    series::table(path, self.asked(), self.form, self.digits)?
+                }
+                None => self.constants()?,
+            },
         };
         self.output.print(&table)
     }
@@ -162,10 +174,13 @@ impl PadeArgs {
         }
     }
 
+    fn asked(&self) -> PadeType {
+        PadeType::new(self.numerator.unwrap_or(0), self.denominator.unwrap_or(0))
+    }
+
     fn constants(&self) -> Result<Table, CliError> {
         let _progress = Progress::unknown("approximant");
-        let asked = PadeType::new(self.numerator.unwrap_or(0), self.denominator.unwrap_or(0));
-        let (expansion, request) = (self.expansion()?, self.request(asked));
+        let (expansion, request) = (self.expansion()?, self.request(self.asked()));
         if request.at_infinity > 0 {
             fits_infinity(&expansion, &request)?;
         }

@@ -4,6 +4,7 @@ mod audit;
 mod epsilon;
 mod export;
 mod materials;
+mod pade;
 mod readme;
 mod report;
 mod shared;

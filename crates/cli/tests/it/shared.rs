@@ -21,7 +21,7 @@ fn wrong_input_is_named_with_its_remedy() {
         ("table --digits 1000000000", "give one from 1 to 1000000"),
         ("table --digits -1", "give one from 1 to 1000000"),
         ("table --order 100000 --digits 1000000", "lower --order or --digits"),
-        ("table --format xml", "[possible values: text, csv, json, latex, markdown]"),
+        ("table --format xml", "[possible values: text, csv, json, latex, markdown, lookup]"),
         ("table --quantity x", "[possible values: C, a, y"),
         ("table --law 3/2", "write it as A,GAMMA"),
         ("table --law -1,0", "give A > 0"),

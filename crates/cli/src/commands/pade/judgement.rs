@@ -6,9 +6,9 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use restitution_pade::{
     Approximant, Interval, PadeError, PadeType, RationalFunction, Reach, Verdict, WorstError, approximant,
-    grid, largest_error, largest_reach, two_point, verdict, with_precision,
+    grid, largest_error, largest_reach, places, two_point, verdict, with_precision,
 };
-use restitution_real::{Ball, Balls};
+use restitution_real::{Ball, Balls, OrderedField};
 use rug::Float;
 use rug::float::Round;
 
@@ -41,6 +41,37 @@ pub struct Judged {
     pub approximant: Approximant<Balls>,
     /// Its verdict on the half-line.
     pub verdict: Verdict,
+    /// The places of its poles and of its zeros there, with proved digits.
+    pub places: [Vec<String>; 2],
+}
+
+/// The most digits of a place.
+const PLACE_DIGITS: usize = 10;
+
+/// The places of the zeros of a polynomial on the half-line, with proved digits.
+///
+/// # Errors
+///
+/// [`PadeError::Undecided`].
+pub fn shown_places<F: OrderedField>(
+    field: &F,
+    p: &[F::Number],
+    digits: usize,
+) -> Result<Vec<String>, PadeError> {
+    const GUARD: usize = 10;
+    let digits = digits.min(PLACE_DIGITS);
+    let bits = u32::try_from(4 * (digits + GUARD)).unwrap_or(u32::MAX);
+    let text = |(low, high): (BigRational, BigRational)| {
+        let ball = if low == high {
+            Ball::from_rational(&low, bits)
+        } else {
+            let ends = [&low, &high].map(|end| Ball::from_rational(end, 2 * bits));
+            Ball::between(&ends[0].lower(), &ends[1].upper(), 2 * bits)
+        };
+        let fewer = (1..digits).rev().find_map(|digits| ball.to_digits(digits));
+        shown(&ball, digits).or(fewer).ok_or(PadeError::Undecided { what: "the place of a zero" })
+    };
+    places(field, p, digits + GUARD)?.into_iter().map(text).collect()
 }
 
 /// Bits to begin with: the digits wanted and what the elimination is likely to lose.
@@ -68,7 +99,10 @@ pub fn judge(expansion: &Expansion, request: &Request) -> Result<Judged, CliErro
         Ok(found.and_then(|approximant| {
             constants(approximant.function(), request.digits)?;
             let verdict = verdict(&approximant, &Interval::HalfLine)?;
-            Ok(Judged { approximant, verdict })
+            let function = approximant.function();
+            let place = |p: &[Ball]| shown_places(function.field(), p, request.digits);
+            let places = [place(function.den())?, place(function.num())?];
+            Ok(Judged { approximant, verdict, places })
         }))
     })
 }
@@ -170,6 +204,21 @@ pub fn range_with_values(
     Ok(((low.clone(), end), Some(note)))
 }
 
+/// Writes poles, zeros, trend and values of an approximant in `variable`.
+pub fn say(table: &mut Table, verdict: &Verdict, [poles, zeros]: &[Vec<String>; 2], variable: &str) {
+    let number = verdict.zeros.map_or("everywhere".into(), Cell::from);
+    table.said("poles", "real poles on [0, inf)", verdict.poles.into());
+    if !poles.is_empty() {
+        table.said("pole_places", &format!("poles at {variable}"), Cell::Text(poles.join(", ")));
+    }
+    table.said("zeros", "real zeros on [0, inf)", number);
+    if !zeros.is_empty() {
+        table.said("zero_places", &format!("zeros at {variable}"), Cell::Text(zeros.join(", ")));
+    }
+    table.said("trend", "trend", Cell::text(verdict.trend));
+    table.said("bounds", "values", Cell::text(verdict.bounds));
+}
+
 /// Writes the verdict below the table and into the fields of its JSON form.
 ///
 /// # Errors
@@ -182,16 +231,12 @@ pub fn report(
     judged: &Judged,
 ) -> Result<(), CliError> {
     let (entry, verdict) = (&judged.approximant, &judged.verdict);
-    let zeros = verdict.zeros.map_or("everywhere".into(), Cell::from);
     table.said("exact_type", "exact type", Cell::text(entry.exact_type()));
     table.said("contact_order", "order of contact at 0", entry.contact().order().into());
     if request.at_infinity > 0 {
         table.said("met_at_infinity", "conditions met at infinity", entry.met_at_infinity().into());
     }
-    table.said("poles", "real poles on [0, inf)", verdict.poles.into());
-    table.said("zeros", "real zeros on [0, inf)", zeros);
-    table.said("trend", "trend", Cell::text(verdict.trend));
-    table.said("bounds", "values", Cell::text(verdict.bounds));
+    say(table, verdict, &judged.places, expansion.variable().name());
     let (range, cut) = range_with_values(expansion, &request.range)?;
     let worst = error_on_range(expansion, entry, &range)?;
     let (low, high) = (decimal(&range.0), decimal(&range.1));

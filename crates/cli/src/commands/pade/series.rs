@@ -1,0 +1,114 @@
+//! Approximants of a series from a file.
+
+use super::Form;
+use super::judgement::{say, shown_places};
+use crate::exact::Exact;
+use crate::{Cell, CliError, Table};
+use num_rational::BigRational;
+use restitution_pade::{Contact, PadeError, PadeType, approximant, verdict};
+use restitution_real::{Ball, Rationals};
+use std::io::Read;
+use std::path::Path;
+
+/// The largest file that is read, in bytes.
+const LARGEST_FILE: u64 = 4_000_000;
+
+/// The approximant of the series in a file, in the variable x.
+pub fn table(path: &Path, asked: PadeType, form: Form, digits: usize) -> Result<Table, CliError> {
+    let name = path.display();
+    let series = read(path)?;
+    let needed = asked.conditions();
+    if series.len() < needed {
+        return Err(CliError::usage(format!(
+            "'{name}' has {} coefficients, and {asked} needs {needed}: give more of them, or smaller degrees",
+            series.len()
+        )));
+    }
+    let found = approximant(&Rationals, &series, asked)?;
+    let judged = verdict(&found, &restitution_pade::Interval::HalfLine)?;
+    let shown = |value: &BigRational| shown(value, digits);
+    let mut table = match form {
+        Form::Quotient => {
+            let mut table = Table::new(&["part", "k", "value", "decimal"]);
+            for (part, p) in [("num", found.num()), ("den", found.den())] {
+                for (k, value) in p.iter().enumerate() {
+                    table.push(vec![part.into(), k.into(), Cell::digits(value), shown(value)?]);
+                }
+            }
+            table
+        }
+        Form::ContinuedFraction => {
+            let fraction = found.continued_fraction()?;
+            let mut table = Table::new(&["link", "power", "value", "decimal"]);
+            let links = fraction.links.iter().map(|link| (link.power, &link.coefficient));
+            for (k, (power, value)) in std::iter::once((0, &fraction.constant)).chain(links).enumerate() {
+                table.push(vec![k.into(), power.into(), Cell::digits(value), shown(value)?]);
+            }
+            table
+        }
+    }
+    .titled(format!("{asked} Padé approximant in x of the {} coefficients in {name}", series.len()));
+    table.said("exact_type", "exact type", Cell::text(found.exact_type()));
+    let contact = match found.contact() {
+        Contact::Exactly(order) => order.to_string(),
+        Contact::AtLeast(order) => format!("{order} or more"),
+    };
+    table.said("contact_order", "order of contact at 0", Cell::Text(contact));
+    let places =
+        [shown_places(&Rationals, found.den(), digits)?, shown_places(&Rationals, found.num(), digits)?];
+    say(&mut table, &judged, &places, "x");
+    Ok(table)
+}
+
+/// A rational to some digits; an integer as it is.
+fn shown(value: &BigRational, digits: usize) -> Result<Cell, PadeError> {
+    if value.is_integer() {
+        return Ok(Cell::digits(value));
+    }
+    let bits = u32::try_from(64 + 4 * digits).unwrap_or(u32::MAX);
+    let undecided = PadeError::Undecided { what: "the last digit of a constant" };
+    let text = (0..6).find_map(|k| Ball::from_rational(value, bits << k).to_digits(digits));
+    text.map(Cell::Digits).ok_or(undecided)
+}
+
+/// Reads coefficients, constant term first, separated by blanks, commas, semicolons or lines; `#` begins a comment.
+fn read(path: &Path) -> Result<Vec<BigRational>, CliError> {
+    let name = path.display();
+    let mut bytes = Vec::new();
+    let source: Box<dyn Read> = if path == Path::new("-") {
+        Box::new(std::io::stdin())
+    } else {
+        let file = std::fs::File::open(path);
+        Box::new(file.map_err(|error| unreadable(path, &error))?)
+    };
+    source.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(|error| unreadable(path, &error))?;
+    if bytes.len() as u64 > LARGEST_FILE {
+        return Err(CliError::usage(format!("'{name}' has more than 4 MB: give a series of coefficients")));
+    }
+    let text = String::from_utf8(bytes).map_err(|_| {
+        CliError::usage(format!("'{name}' is not text: give numbers such as 1, -0.25 or 3/7"))
+    })?;
+    let mut series = Vec::new();
+    for (line, content) in text.trim_start_matches('\u{feff}').lines().enumerate() {
+        let content = content.split('#').next().unwrap_or_default();
+        let words = content.split(|c: char| c.is_whitespace() || c == ',' || c == ';');
+        for word in words.filter(|word| !word.is_empty()) {
+            let number: Exact = word
+                .parse()
+                .map_err(|error| CliError::usage(format!("'{name}' line {}: {error}", line + 1)))?;
+            series.push(number.value().clone());
+        }
+    }
+    if series.is_empty() {
+        return Err(CliError::usage(format!(
+            "'{name}' has no coefficient: give numbers such as 1, -0.25 or 3/7, the constant term first"
+        )));
+    }
+    Ok(series)
+}
+
+fn unreadable(path: &Path, error: &std::io::Error) -> CliError {
+    let reason = error.to_string().to_lowercase();
+    let reason = reason.split(" (os error").next().unwrap_or_default();
+    CliError::usage(format!("cannot read '{}': {reason}", path.display()))
+}
