@@ -168,6 +168,24 @@ fn faults_are_named_with_their_line() {
     );
 }
 
+#[test]
+fn a_first_row_without_a_value_is_a_row() {
+    for (first, says) in [
+        ("0.1,", "line 2: the coefficient is blank"),
+        (",0.9", "line 2: the velocity is blank"),
+        ("inf,0.9", "'inf' is not a number"),
+    ] {
+        let text = format!("v,e\n{first}\n0.2,0.85\n0.5,0.8\n");
+        let message = read(text.as_bytes()).unwrap_err();
+        assert!(message.contains(says), "{message}");
+        let options = DataOptions { skip_missing: true, ..DataOptions::default() };
+        let data = Data::read(text.into_bytes(), &options).unwrap();
+        assert_eq!((data.rows.len(), data.lines[0]), (2, 3), "{first}");
+    }
+    // separators that end each line make no column
+    assert_eq!(read(b"v,e,\n0.1,0.9,\n0.2,0.8,\n").unwrap().rows.len(), 2);
+}
+
 proptest::proptest! {
     #[test]
     fn any_bytes_are_read_or_refused(bytes in proptest::collection::vec(proptest::prelude::any::<u8>(), 0..200)) {

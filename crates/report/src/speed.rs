@@ -121,7 +121,7 @@ pub fn section(contestants: &[Contestant], results: &[Result], grid: usize) -> S
             |r| r.apart,
             "nanoseconds per value, arguments in a slice",
         );
-        figures.push(Figure::new(chart, &format!("Speed against error for 0 < u ≤ {range}: median time of one value, and largest relative error against certified values. Lower left is better. The solid line is the Pareto front for contacts that end at zero compression, the dotted one for those that end at zero force; each method is judged by its own end of contact. A method beyond the upper edge errs by more than a factor of ten.")));
+        figures.push(Figure::new(chart, &format!("Speed against error for 0 < u ≤ {range}: median time of one value, and largest relative error against certified values. Lower left is better. The solid line is the Pareto front for contacts that end at zero compression, the dotted one for those that end at zero force; each method is judged by its own end of contact. A method that errs by more than a factor of ten is in the table alone.")));
     }
     let on_range = results.iter().filter(|r| r.range == RANGES[2]).collect::<Vec<_>>();
     let chart = chart(

@@ -114,15 +114,21 @@ impl<'a> Sample<'a> {
         {
             return None;
         }
-        let first = (0..self.lines.len()).find(|&place| is_row(&self.cells(place, separator)))?;
+        let cells = |place| self.cells(place, separator);
+        let first = (0..self.lines.len()).find(|&place| {
+            is_row(&cells(place)) || (place > 0 && is_row_below(&cells(place), &cells(place - 1)))
+        })?;
         let cells = self.cells(first, separator);
         let several = |cell: &&str| cell.split_whitespace().filter(|word| is_number(word)).count() > 1;
         if separator == Separator::Comma && cells.iter().any(several) {
             return None; // `0,1 0,5`
         }
-        let width = trimmed(&cells);
+        let width = if is_row(&cells) { trimmed(&cells) } else { cells.len() };
         let rows = self.lines.len() - first;
-        let even = (first..self.lines.len()).filter(|&place| trimmed(&self.cells(place, separator)) == width);
+        let even = (first..self.lines.len()).filter(|&place| {
+            let cells = self.cells(place, separator);
+            trimmed(&cells) == width || cells.len() == width
+        });
         let even = even.count() as f64 / rows as f64;
         let headed = first == 0 || header::split(self.lines[first - 1].1, separator, width).is_some();
         Some(View { separator, first, width, even, headed })
@@ -250,6 +256,13 @@ fn is_row(cells: &[&str]) -> bool {
     numbers > 0 && (cells.len() == 1 || numbers + missing > 1)
 }
 
+/// Whether cells, some of which are blank, are the row of a table whose names stand above.
+fn is_row_below(cells: &[&str], above: &[&str]) -> bool {
+    let names = above.len() == cells.len() && above.iter().all(|name| !name.is_empty() && !is_number(name));
+    let values = cells.iter().all(|cell| is_number(cell) || is_missing(cell));
+    cells.len() > 1 && names && values && cells.iter().any(|cell| is_number(cell))
+}
+
 /// Whether a cell is a number, perhaps with a unit.
 fn is_number(cell: &str) -> bool {
     let (number, unit) = number::split(cell);
@@ -260,7 +273,7 @@ fn is_number(cell: &str) -> bool {
 
 /// Whether a cell says that there is no value.
 pub(crate) fn is_missing(cell: &str) -> bool {
-    let names = ["", "-", "--", "nan", "na", "n/a", "#n/a", "null", "none", "?", "*"];
+    let names = ["", "-", "--", "nan", "na", "n/a", "#n/a", "null", "none", "?", "*", "inf", "-inf", "+inf"];
     names.iter().any(|name| cell.eq_ignore_ascii_case(name))
 }
 
