@@ -155,8 +155,8 @@ def yade(lines, units, wall, speed):
     return float(result[-1].split()[1])
 
 
-def rebound(module, wall, speed):
-    """Two hard spheres whose coefficient is a callback, which is given the velocity with its sign."""
+def rebound(callback, speed):
+    """Two hard spheres whose coefficient is the printed callback, which is given the velocity with its sign."""
     import rebound as package
 
     simulation = package.Simulation()
@@ -164,9 +164,9 @@ def rebound(module, wall, speed):
     simulation.collision_resolve = "hardsphere"
     seen = []
 
-    def coefficient(_, velocity):
+    def coefficient(pointer, velocity):
         seen.append(velocity)
-        return module.restitution_epsilon(abs(velocity))
+        return callback(pointer, velocity)
 
     simulation.coefficient_of_restitution = coefficient
     simulation.add(m=1.0, r=RADIUS, z=-1.01 * RADIUS, vz=speed / 2)
@@ -177,22 +177,15 @@ def rebound(module, wall, speed):
     return (simulation.particles[1].vz - simulation.particles[0].vz) / speed, seen[0]
 
 
-def velocity_module(folder, speed, epsilon):
-    """The exported evaluator, told the material by its u at the measured velocity."""
-    out = restitution("material", *BODIES, "--measured", f"{speed!r},{epsilon!r}", "--velocity", repr(speed), "--format", "csv")
-    u = float(next(line for line in out.splitlines() if "damping parameter" in line).split(",")[3])
-    path = os.path.join(folder, "exported.py")
-    restitution("export", "--lang", "python", "--tolerance", "1e-9", "--range", "0,20", "-o", path)
-    spec = importlib.util.spec_from_file_location("exported", path)
+def printed_callback(folder, speed, epsilon):
+    """What `restitution material --code rebound` prints, as a module."""
+    path = os.path.join(folder, "printed.py")
+    with open(path, "w") as file:
+        file.write(restitution("material", "--code", "rebound", "--measured", f"{speed!r},{epsilon!r}"))
+    spec = importlib.util.spec_from_file_location("printed", path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-
-    class OfVelocity:
-        @staticmethod
-        def restitution_epsilon(g):
-            return float(module.restitution_epsilon(u * (g / speed) ** 0.2))
-
-    return OfVelocity
+    return module.coefficient_of_restitution
 
 
 def cases():
@@ -238,8 +231,7 @@ def main():
                 failed += abs(seen - epsilon) > limit
                 print(f"| {name} | {contact} | {end.replace('-', ' ')} | {units} | {epsilon} | {seen:.6f} | {seen - epsilon:+.1e} | {limit:.1e} |", flush=True)
     with tempfile.TemporaryDirectory() as folder:
-        module = velocity_module(folder, speed, 0.6)
-        seen, signed = rebound(module, False, speed)
+        seen, signed = rebound(printed_callback(folder, speed, 0.6), speed)
         failed += abs(seen - 0.6) > 1e-8
         print(f"| REBOUND callback | two spheres | zero compression | si | 0.6 | {seen:.6f} | {seen - 0.6:+.1e} | 0 (called with {signed:+g}) |")
     if failed:
