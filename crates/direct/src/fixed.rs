@@ -84,15 +84,6 @@ pub(crate) fn size(coefficients: &[Integer], bits: u32) -> Ball {
     upper_bound(&from_fixed(&sum, bits, BOUND_BITS))
 }
 
-/// The sum `Sum_(i=1)^(k-1) x_i y_(k-i)` of exact products.
-pub(crate) fn inner_products(x: &[Integer], y: &[Integer], k: usize) -> Integer {
-    let mut sum = Integer::new();
-    for (a, b) in x[1..k].iter().zip(y[1..k].iter().rev()) {
-        sum += a * b;
-    }
-    sum
-}
-
 /// `x * 2^shift` for any shift that MPFR's exponents can take.
 pub(crate) fn shifted(x: &Float, shift: i64) -> Float {
     let mut out = x.clone();
@@ -115,11 +106,5 @@ mod tests {
         assert_eq!(third, 5);
         assert!(error.upper() >= 1.0 / 3.0 - 5.0 / 16.0);
         assert!(from_fixed(&third, 4, 64).contains(&Ball::from_ratio(5, 16, 64)));
-    }
-
-    #[test]
-    fn products_leave_out_both_ends() {
-        let x: Vec<Integer> = [7, 1, 2, 3].map(Integer::from).to_vec();
-        assert_eq!(inner_products(&x, &x, 3), 4);
     }
 }

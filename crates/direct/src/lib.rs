@@ -16,6 +16,7 @@ mod exit;
 mod field;
 mod fixed;
 mod interpolant;
+mod online;
 mod overdamping;
 mod phase_arc;
 mod phase_sides;

@@ -5,6 +5,7 @@ use crate::field::Field;
 use crate::fixed::{
     BOUND_BITS, from_fixed, lower_bound, power_of_two, size, to_fixed, unit, upper_bound, zero,
 };
+use crate::online::Online;
 use crate::phase_sides::Sides;
 use restitution_real::Ball;
 use rug::{Float, Integer};
@@ -162,30 +163,44 @@ pub(crate) fn lower_is_within(tail: &Ball, bits: u32) -> bool {
 fn taylor(sides: &Sides, start: Integer, order: usize, bits: u32) -> Vec<Integer> {
     let mut c = Vec::with_capacity(order + 1);
     let double = Integer::from(&start * 2);
+    let (mut square, mut damped) = (Online::new(order), Damped::new(&sides.damping, order));
     c.push(start);
     for k in 1..=order {
         let mut side = sides.elastic.get(k - 1).map_or_else(Integer::new, |e| Integer::from(e << bits));
-        for (j, b) in sides.damping.iter().enumerate().take(k) {
-            side += b * &c[k - 1 - j];
-        }
+        side += damped.next(&c);
         let divisor = Integer::from(&double * k as u64);
-        let products = symmetric_products(&c, k) * k as u64;
+        let products = square.square(&c) * k as u64;
         let dividend = -(side * 2u32) - products;
         c.push(dividend / divisor);
     }
     c
 }
 
-/// `Sum_(0<i<k) c_i c_(k-i)` with half the products.
-fn symmetric_products(c: &[Integer], k: usize) -> Integer {
-    let half = k.div_ceil(2);
-    let mut sum = Integer::new();
-    for i in 1..half {
-        sum += &c[i] * &c[k - i];
-    }
-    sum *= 2;
-    if k.is_multiple_of(2) {
-        sum += c[k / 2].square_ref();
-    }
-    sum
+/// The coefficients of `damping * P` in turn: by the definition where the damping has a few terms only.
+struct Damped<'a> {
+    /// The damping, moved up by one degree.
+    damping: Vec<Integer>,
+    few: &'a [Integer],
+    online: Online,
 }
+
+impl<'a> Damped<'a> {
+    fn new(damping: &'a [Integer], order: usize) -> Self {
+        if damping.len() < FEW_TERMS {
+            return Self { damping: Vec::new(), few: damping, online: Online::new(0) };
+        }
+        let moved = std::iter::once(Integer::new()).chain(damping.iter().cloned()).collect();
+        Self { damping: moved, few: &[], online: Online::new(order) }
+    }
+
+    /// `Sum_(j<k) damping_j c_(k-1-j)` for `k` coefficients `c`.
+    fn next(&mut self, c: &[Integer]) -> Integer {
+        if self.damping.is_empty() {
+            return self.few.iter().zip(c.iter().rev()).map(|(b, c)| Integer::from(b * c)).sum();
+        }
+        self.online.product_with_known(c, &self.damping)
+    }
+}
+
+/// Terms from which on a product of series is worth its set-up.
+const FEW_TERMS: usize = 33;

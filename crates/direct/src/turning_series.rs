@@ -1,7 +1,8 @@
 //! The Taylor coefficients of a step around the turning point, in fixed point.
 
 use crate::field::Field;
-use crate::fixed::{exact_fixed, from_fixed, inner_products, to_fixed, zero};
+use crate::fixed::{exact_fixed, from_fixed, to_fixed, zero};
+use crate::online::Online;
 use crate::turning_point::{TurningPoint, friction_ratio};
 use num_rational::BigRational;
 use restitution_real::Ball;
@@ -79,6 +80,7 @@ impl Problem {
         }
         let weighted = Integer::from(&bottom * &self.y);
         let mut derivative = vec![Integer::new()];
+        let (mut moved, mut powers) = (Online::new(order), Online::new(order));
         let mut s = Series {
             y: vec![self.y.clone()],
             ratio: vec![self.ratio.clone()],
@@ -86,7 +88,7 @@ impl Problem {
             force,
         };
         for k in 1..=order {
-            let known = inner_products(&derivative, &s.ratio, k);
+            let known = moved.product(&derivative, &s.ratio);
             let mut side = self.right.get(k - 1).map_or_else(Integer::new, |r| Integer::from(r << bits));
             if k >= 2 {
                 side -= &self.h * &s.product[k - 2];
@@ -97,7 +99,7 @@ impl Problem {
             s.y.push(coefficient);
             let product = known + &derivative[k] * &s.ratio[0];
             s.product.push(Integer::from(&product >> bits));
-            let mut rest = inner_products(&s.y, &s.ratio, k) + &s.y[k] * &s.ratio[0];
+            let mut rest = powers.product(&s.y, &s.ratio) + &s.y[k] * &s.ratio[0];
             rest *= &bottom;
             rest *= k as u64;
             s.ratio.push((product * &top - rest) / Integer::from(&weighted * k as u64));
