@@ -12,6 +12,7 @@ mod codes;
 mod dimensional;
 mod direct;
 mod direct_hard;
+mod direct_long_steps;
 mod documents;
 mod evaluator_edges;
 mod export;

@@ -7,6 +7,7 @@ use crate::field::{Field, shown};
 use crate::precision::{first_precision, proved};
 use crate::saturation::Saturation;
 use crate::stepper::Stepper;
+use crate::time::impact_to_way_out;
 use crate::turning::rebound;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
@@ -164,8 +165,16 @@ impl Collision {
     fn integrate(&self, u: &Ball, prec: u32) -> Result<Ball, DirectError> {
         let field = Field::new(&self.law, u, prec);
         let mut stepper = Stepper::new(field.wanted_slope());
-        let compressed = compress(&field, &mut stepper)?;
-        let rebounding = rebound(&field, &mut stepper, &compressed)?;
+        let rebounding = match impact_to_way_out(&field, self.end) {
+            Some(point) => {
+                stepper.start_with(0.15 * point.z.to_f64());
+                point
+            }
+            None => {
+                let compressed = compress(&field, &mut stepper)?;
+                rebound(&field, &mut stepper, &compressed)?
+            }
+        };
         match self.end {
             End::ZeroCompression => to_zero_compression(&field, &mut stepper, rebounding),
             End::ZeroForce => to_zero_force(&field, &mut stepper, rebounding),

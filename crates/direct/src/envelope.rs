@@ -48,9 +48,14 @@ impl Envelope {
 ///
 /// Both envelopes must have the same slope `s > 0`.
 pub(crate) fn upper_half(x: Envelope, y: Envelope, order: usize) -> Ball {
-    let (s, n) = (x.slope.min(y.slope), order as f64);
+    beyond(x, y, order + 1, order)
+}
+
+/// A bound of `Sum_(k>=first) Sum_(i+j=k, i,j>=1) |x_i y_j|` where `i` runs over `terms` values at most.
+pub(crate) fn beyond(x: Envelope, y: Envelope, first: usize, terms: usize) -> Ball {
+    let s = x.slope.min(y.slope);
     // The doubles are off by far less than the whole bit added here.
-    let log = x.top + y.top - s * (n + 1.0) + n.log2() - (1.0 - (-s).exp2()).log2() + 1.0;
+    let log = x.top + y.top - s * first as f64 + (terms as f64).log2() - (1.0 - (-s).exp2()).log2() + 1.0;
     power_of_two(log.ceil().clamp(-1e9, 1e9) as i64)
 }
 

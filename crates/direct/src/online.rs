@@ -4,26 +4,44 @@
 //! of known coefficients are multiplied as whole integers (Kronecker substitution) the moment they are
 //! complete, block `[m - s, m)` with `s` the largest power of two that divides `m`, and what they give to
 //! the coefficients from `m` to `m + s` waits there: `log n` products of whole series instead of `n^2/2`
-//! products of numbers. All sums are exact, so nothing of a proof depends on the order in which they are made.
+//! products of numbers. Sums are exact, or rounded by less than a stated unit where the factors are long.
 
 use rug::Integer;
 use rug::integer::Order;
 
-/// Length of the blocks inside of which numbers are multiplied one by one.
-const SMALL: usize = 32;
+/// Bits of a block below which its numbers are multiplied one by one, and its least length.
+const SMALL: (usize, usize) = (180_000, 32);
+/// Length of a block from which on both of its products are made at the same time.
+const LONG: usize = 128;
+/// Bits of a factor that are worth cutting off.
+const LEAST_CUT: u32 = 64;
 /// Bits of a digit of GMP's.
 const DIGIT: usize = 64;
 
-/// `Sum_(0<i<k) x_i y_(k-i)` for `k = 1, 2, …` in turn.
+/// `Sum_(0<i<k) x_i y_(k-i)` for `k = 0, 1, 2, …` in turn.
 pub(crate) struct Online {
     /// What complete blocks gave to the coefficients that are still to come.
     waiting: Vec<Integer>,
+    /// Each sum may be off by less than two to this power.
+    rounding: Option<u32>,
+    /// Length of the blocks inside of which numbers are multiplied one by one.
+    small: usize,
 }
 
 impl Online {
-    /// For coefficients up to `order`.
-    pub(crate) fn new(order: usize) -> Self {
-        Self { waiting: vec![Integer::new(); order + 1] }
+    /// For coefficients up to `order` of about `bits` bits, exactly.
+    pub(crate) fn new(order: usize, bits: u32) -> Self {
+        let small = (SMALL.0 / bits.max(1) as usize).max(SMALL.1).next_power_of_two();
+        Self { waiting: vec![Integer::new(); order + 1], rounding: None, small }
+    }
+
+    /// For coefficients up to `order`, each off by less than `2^bits`.
+    ///
+    /// A block of small coefficients is multiplied with as many bits of the others as count: with `n` terms
+    /// of `b` bits the others may lose `d = bits - b - log2(n) - 8`, which is `2^(bits-8)` at most. A sum
+    /// gets two such products, one of them doubled, from each of less than 30 lengths of blocks.
+    pub(crate) fn rounded(order: usize, bits: u32) -> Self {
+        Self { rounding: Some(bits), ..Self::new(order, bits) }
     }
 
     /// Coefficient `k` of the square of a series whose coefficients `c_0…c_(k-1)` are given.
@@ -33,7 +51,7 @@ impl Online {
             let factor = if block.first == 0 { c } else { &c[..block.width()] };
             self.add(&block, &c[block.first..], factor, u32::from(block.first > 0));
         }
-        let first = k / SMALL * SMALL;
+        let first = k / self.small * self.small;
         let mut sum = Integer::new();
         if first == 0 {
             for i in 1..k.div_ceil(2) {
@@ -45,7 +63,7 @@ impl Online {
             }
         }
         sum *= 2;
-        if first == 0 && k.is_multiple_of(2) {
+        if first == 0 && k > 0 && k.is_multiple_of(2) {
             sum += c[k / 2].square_ref();
         }
         sum + std::mem::take(&mut self.waiting[k])
@@ -54,15 +72,27 @@ impl Online {
     /// Coefficient `k` of the product of two series whose coefficients up to `k - 1` are given.
     pub(crate) fn product(&mut self, x: &[Integer], y: &[Integer]) -> Integer {
         let k = x.len().min(y.len());
-        if let Some(block) = self.completed(k) {
-            if block.first == 0 {
-                self.add(&block, &x[..k], &y[..k], 0);
-            } else {
-                self.add(&block, &x[block.first..k], &y[..block.width()], 0);
-                self.add(&block, &y[block.first..k], &x[..block.width()], 0);
+        match self.completed(k) {
+            Some(block) if block.first == 0 => self.add(&block, &x[..k], &y[..k], 0),
+            Some(block) => {
+                let (in_x, in_y) = (&x[block.first..k], &y[block.first..k]);
+                let (to_x, to_y) = (&x[..block.width()], &y[..block.width()]);
+                let (one, other) = if block.next - block.first < LONG {
+                    (self.contribution(&block, in_x, to_y, 0), self.contribution(&block, in_y, to_x, 0))
+                } else {
+                    let online = &*self;
+                    std::thread::scope(|scope| {
+                        let one = scope.spawn(|| online.contribution(&block, in_x, to_y, 0));
+                        let other = online.contribution(&block, in_y, to_x, 0);
+                        (one.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)), other)
+                    })
+                };
+                self.take(&block, one);
+                self.take(&block, other);
             }
+            None => {}
         }
-        let first = k / SMALL * SMALL;
+        let first = k / self.small * self.small;
         let mut sum = std::mem::take(&mut self.waiting[k]);
         for i in first.max(1)..k {
             sum += &x[i] * &y[k - i];
@@ -80,11 +110,11 @@ impl Online {
             let factor = &known[..block.width().min(known.len())];
             self.add(&block, &x[block.first..], factor, 0);
         }
-        let first = k / SMALL * SMALL;
+        let first = k / self.small * self.small;
         let mut sum = std::mem::take(&mut self.waiting[k]);
-        for i in first..k {
+        for (i, x) in x.iter().enumerate().skip(first) {
             if let Some(other) = known.get(k - i) {
-                sum += &x[i] * other;
+                sum += x * other;
             }
         }
         sum
@@ -92,8 +122,8 @@ impl Online {
 
     /// The block that is complete when `k` coefficients are known, if its length is worth it.
     fn completed(&self, k: usize) -> Option<Block> {
-        let length = 1 << k.trailing_zeros();
-        (length >= SMALL && k < self.waiting.len()).then(|| Block {
+        let length = if k == 0 { 0 } else { 1 << k.trailing_zeros() };
+        (length >= self.small && k < self.waiting.len()).then(|| Block {
             first: k - length,
             next: k,
             end: (k + length).min(self.waiting.len()),
@@ -102,10 +132,34 @@ impl Online {
 
     /// Adds `2^shift x y` to what waits between the block and its end; `x` starts where the block does.
     fn add(&mut self, block: &Block, x: &[Integer], y: &[Integer], shift: u32) {
-        let target = &mut self.waiting[block.next..block.end];
-        for (sum, part) in target.iter_mut().zip(middle_product(x, y, block.next - block.first)) {
-            *sum += part << shift;
+        let parts = self.contribution(block, x, y, shift);
+        self.take(block, parts);
+    }
+
+    fn take(&mut self, block: &Block, parts: Vec<Integer>) {
+        for (sum, part) in self.waiting[block.next..block.end].iter_mut().zip(parts) {
+            *sum += part;
         }
+    }
+
+    /// The coefficients of `2^shift x y` between a block and its end, with what may be lost cut off `y`.
+    fn contribution(&self, block: &Block, x: &[Integer], y: &[Integer], shift: u32) -> Vec<Integer> {
+        let (from, count) = (block.next - block.first, block.end - block.next);
+        let lost = self.rounding.map_or(0, |bits| {
+            let terms = x.len().ilog2() as usize + 1;
+            u32::try_from((bits as usize).saturating_sub(largest(x) + terms + 8)).unwrap_or(0)
+        });
+        let mut parts = if lost < LEAST_CUT {
+            middle_product(x, y, from, count)
+        } else {
+            let cut: Vec<Integer> = y.iter().map(|c| Integer::from(c >> lost)).collect();
+            middle_product(x, &cut, from, count)
+        };
+        let shift = if lost < LEAST_CUT { shift } else { shift + lost };
+        for part in &mut parts {
+            *part <<= shift;
+        }
+        parts
     }
 }
 
@@ -123,14 +177,14 @@ impl Block {
     }
 }
 
-/// The coefficients of `x y` from `from` on, by one product of two integers.
-fn middle_product(x: &[Integer], y: &[Integer], from: usize) -> Vec<Integer> {
+/// The coefficients `from…from+count-1` of `x y`, by one product of two integers.
+fn middle_product(x: &[Integer], y: &[Integer], from: usize, count: usize) -> Vec<Integer> {
     let terms = x.len().min(y.len());
     let bits = largest(x) + largest(y) + terms.ilog2() as usize + 2;
     let slot = bits.div_ceil(DIGIT);
     let packed = pack(x, slot);
     let product = if std::ptr::eq(x, y) { packed.square() } else { packed * pack(y, slot) };
-    unpack(product, slot, x.len() + y.len() - 1, from)
+    unpack(product, slot, x.len() + y.len() - 1, from, count)
 }
 
 fn largest(x: &[Integer]) -> usize {
@@ -152,7 +206,7 @@ fn pack(x: &[Integer], slot: usize) -> Integer {
 }
 
 /// The coefficients `x_i`, `|x_i| < 2^(64 slot - 1)`, of `Sum_(i<terms) x_i 2^(64 slot i)` from `from` on.
-fn unpack(packed: Integer, slot: usize, terms: usize, from: usize) -> Vec<Integer> {
+fn unpack(packed: Integer, slot: usize, terms: usize, from: usize, count: usize) -> Vec<Integer> {
     let half = Integer::from(1) << u32::try_from(DIGIT * slot - 1).unwrap_or(u32::MAX);
     let mut halves = vec![0_u64; slot * terms];
     for place in halves.chunks_exact_mut(slot) {
@@ -160,7 +214,12 @@ fn unpack(packed: Integer, slot: usize, terms: usize, from: usize) -> Vec<Intege
     }
     let raised = packed + Integer::from_digits(&halves, Order::Lsf);
     raised.write_digits(&mut halves, Order::Lsf);
-    halves.chunks_exact(slot).skip(from).map(|d| Integer::from_digits(d, Order::Lsf) - &half).collect()
+    halves
+        .chunks_exact(slot)
+        .skip(from)
+        .take(count)
+        .map(|d| Integer::from_digits(d, Order::Lsf) - &half)
+        .collect()
 }
 
 #[cfg(test)]
@@ -188,8 +247,8 @@ mod tests {
     fn sums_are_those_of_the_definition() {
         for order in [1, 31, 32, 33, 100, 257] {
             let (x, y) = (series(order + 1, 1), series(order + 1, 2));
-            let (mut square, mut product) = (Online::new(order), Online::new(order));
-            let (mut with_all, mut with_few) = (Online::new(order), Online::new(order));
+            let (mut square, mut product) = (Online::new(order, 4000), Online::new(order, 4000));
+            let (mut with_all, mut with_few) = (Online::new(order, 4000), Online::new(order, 4000));
             for k in 1..=order {
                 assert_eq!(square.square(&x[..k]), plain(&x, &x, 1, k), "{order} {k}");
                 assert_eq!(product.product(&x[..k], &y[..k]), plain(&x, &y, 1, k), "{order} {k}");
@@ -201,10 +260,32 @@ mod tests {
     }
 
     #[test]
+    fn rounded_sums_are_near() {
+        let (order, bits) = (300, 460);
+        let falling = |seed| -> Vec<Integer> {
+            series(order + 1, seed)
+                .into_iter()
+                .enumerate()
+                .map(|(i, c)| c >> u32::try_from(i / 2).unwrap())
+                .collect()
+        };
+        let (x, y) = (falling(3), falling(4));
+        let rounded = || Online { rounding: Some(bits), ..Online::new(order, 4000) };
+        let (mut square, mut product) = (rounded(), rounded());
+        let mut most = Integer::new();
+        for k in 1..=order {
+            let off = (square.square(&x[..k]) - plain(&x, &x, 1, k)).abs();
+            most = most.max(off.max((product.product(&x[..k], &y[..k]) - plain(&x, &y, 1, k)).abs()));
+        }
+        let seen = most.significant_bits();
+        assert!(bits - 16 < seen && seen < bits, "{seen}");
+    }
+
+    #[test]
     fn the_largest_coefficients_fit_their_slots() {
         let most = -((Integer::from(1) << 64_u32) - 1_u32);
         let x = vec![most; 64];
-        for (k, c) in middle_product(&x, &x, 0).into_iter().enumerate() {
+        for (k, c) in middle_product(&x, &x, 0, 127).into_iter().enumerate() {
             let count = (k + 1).min(127 - k) as u64;
             assert_eq!(c, Integer::from(x[0].square_ref()) * count);
         }

@@ -163,7 +163,7 @@ pub(crate) fn lower_is_within(tail: &Ball, bits: u32) -> bool {
 fn taylor(sides: &Sides, start: Integer, order: usize, bits: u32) -> Vec<Integer> {
     let mut c = Vec::with_capacity(order + 1);
     let double = Integer::from(&start * 2);
-    let (mut square, mut damped) = (Online::new(order), Damped::new(&sides.damping, order));
+    let (mut square, mut damped) = (Online::new(order, bits), Damped::new(&sides.damping, order, bits));
     c.push(start);
     for k in 1..=order {
         let mut side = sides.elastic.get(k - 1).map_or_else(Integer::new, |e| Integer::from(e << bits));
@@ -185,12 +185,12 @@ struct Damped<'a> {
 }
 
 impl<'a> Damped<'a> {
-    fn new(damping: &'a [Integer], order: usize) -> Self {
+    fn new(damping: &'a [Integer], order: usize, bits: u32) -> Self {
         if damping.len() < FEW_TERMS {
-            return Self { damping: Vec::new(), few: damping, online: Online::new(0) };
+            return Self { damping: Vec::new(), few: damping, online: Online::new(0, 1) };
         }
         let moved = std::iter::once(Integer::new()).chain(damping.iter().cloned()).collect();
-        Self { damping: moved, few: &[], online: Online::new(order) }
+        Self { damping: moved, few: &[], online: Online::new(order, bits) }
     }
 
     /// `Sum_(j<k) damping_j c_(k-1-j)` for `k` coefficients `c`.

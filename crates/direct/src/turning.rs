@@ -24,7 +24,7 @@ pub(crate) fn rebound(
 }
 
 /// Passes from `v(z)` to `y(v)` at the velocity of the point.
-fn enter(field: &Field, point: &PhasePoint) -> Option<TurningPoint> {
+pub(crate) fn enter(field: &Field, point: &PhasePoint) -> Option<TurningPoint> {
     let y = field.potential(&point.z);
     let speed = Ball::exact(point.v.clone()).with_prec(BOUND_BITS);
     let off = upper_bound(&(&point.energy / &speed));
@@ -62,11 +62,17 @@ fn leave(field: &Field, point: &TurningPoint) -> Option<PhasePoint> {
     let inverse = BigRational::one() / &field.coordinate.elastic;
     let z = (&y * field.rational(&field.law.elastic_step())).pow(&inverse).mid().clone();
     let off = upper_bound(&((field.potential(&z) - &y).abs().with_prec(BOUND_BITS) + &point.spread));
-    let speed = Ball::exact(point.v.clone()).abs().with_prec(BOUND_BITS);
+    return_to_phase(field, z, point.v.clone(), off)
+}
+
+/// The point `(z, v)` of the way out where, at velocity `v`, the potential energy is that of `z` up to `off`.
+pub(crate) fn return_to_phase(field: &Field, z: Float, v: Float, off: Ball) -> Option<PhasePoint> {
+    let y = field.potential(&z);
+    let speed = Ball::exact(v.clone()).abs().with_prec(BOUND_BITS);
     // |d(v^2)/dy| = 2 |1 - |v| K| <= 2 as long as |v| K <= 2, here for speeds up to half more.
     let around = y.with_prec(BOUND_BITS).widened(&off.upper());
     let ratio = upper_bound(&(friction_ratio(field, &around) * &speed * Ball::from_ratio(3, 2, BOUND_BITS)));
     let room = &speed * &speed - off.shifted(3);
     let proved = room.is_positive() && !(ratio - Ball::from_integer(2, BOUND_BITS)).is_positive();
-    proved.then(|| PhasePoint { z, v: point.v.clone(), energy: off.shifted(1) })
+    proved.then(|| PhasePoint { z, v, energy: off.shifted(1) })
 }

@@ -80,7 +80,7 @@ impl Problem {
         }
         let weighted = Integer::from(&bottom * &self.y);
         let mut derivative = vec![Integer::new()];
-        let (mut moved, mut powers) = (Online::new(order), Online::new(order));
+        let (mut moved, mut powers) = (Online::new(order, bits), Online::new(order, bits));
         let mut s = Series {
             y: vec![self.y.clone()],
             ratio: vec![self.ratio.clone()],
