@@ -30,7 +30,6 @@ test: tools test-tools ## check formats, lints, documentation; run every test
 	$(STEP) lints $(MAKE) --no-print-directory clippy
 	$(STEP) documentation $(MAKE) --no-print-directory doc
 	$(STEP) tests env CI=true $(CARGO) test --workspace --locked --quiet --no-fail-fast
-	$(STEP) packages $(MAKE) --no-print-directory package
 	$(STEP) python $(MAKE) --no-print-directory test-python
 	$(STEP) page $(MAKE) --no-print-directory test-page
 
