@@ -97,6 +97,21 @@ pub fn coefficients_watched(
     select(&expansion)
 }
 
+/// Returns about how many bytes [`coefficients`] needs at its peak: not less than measured for spheres, nor twice as much.
+///
+/// # Examples
+///
+/// ```
+/// use restitution_law::ForceLaw;
+/// use restitution_series::memory_estimate;
+///
+/// let spheres = ForceLaw::viscoelastic_spheres();
+/// assert!(memory_estimate(&spheres, 1000, 30) < 4e9);
+/// ```
+pub fn memory_estimate(law: &ForceLaw, order: usize, digits: usize) -> f64 {
+    crate::certified::memory_estimate(law, order, digits)
+}
+
 /// The damping order to which trajectories are needed: `C_N` of even order follows from the lower ones,
 /// `y_N` does not.
 fn damping_order_for(quantity: Quantity, order: usize) -> usize {

@@ -24,7 +24,7 @@ mod undamped;
 
 pub use approximate::ApproximateTheory;
 pub use bounds::{BoundError, TailBound, TurningPointSum};
-pub use coefficients::{Quantity, coefficients, coefficients_watched};
+pub use coefficients::{Quantity, coefficients, coefficients_watched, memory_estimate};
 pub use delayed_recovery::DelayedRecovery;
 pub use error::SeriesError;
 pub use field::{Field, ZeroTest};

@@ -167,7 +167,7 @@ impl TableArgs {
             let bytes = if closed {
                 restitution_closed::memory_estimate(self.digits)
             } else {
-                memory_estimate(self.order, self.digits)
+                restitution_series::memory_estimate(&self.law.law, self.order, self.digits)
             };
             most = most.max(bytes);
         }
@@ -217,13 +217,4 @@ fn title(law: &ForceLaw) -> String {
 
 fn unproved(digits: usize) -> CliError {
     CliError::failure(format!("{digits} digits could not be proved: ask for fewer"))
-}
-
-/// Bytes at the peak: each trajectory, its powers and sums in balls of the working precision, and the
-/// large integers of a product under way. Never below what was measured, and at most twice that, for
-/// (order, digits) = (4, 1000), (1, 3000), (40, 300), (100, 30): 48, 297, 40, 41 MB.
-fn memory_estimate(order: usize, digits: usize) -> f64 {
-    let bits = 3.33 * digits as f64 + 5.0 * order as f64 + 50.0;
-    let terms = bits / 2.45 + order as f64 + 10.0;
-    (5.0 * order as f64 + 70.0) * terms * (bits / 8.0 + 128.0)
 }

@@ -15,4 +15,4 @@ mod undamped;
 mod units;
 
 pub(crate) use attempt::Expansion;
-pub(crate) use plan::{Goal, Unproved, expand};
+pub(crate) use plan::{Goal, Unproved, expand, memory_estimate};
