@@ -22,7 +22,7 @@ pub(crate) fn reciprocal(shop: &Workshop, series: &Fixed) -> Fixed {
     while z.len() < series.len() {
         let known = z.len();
         let next = (2 * known).min(series.len());
-        let defect = shop.product(series, &z, next).beyond(known);
+        let defect = shop.products(&[(1, series, &z)], known..next);
         z.extend(&shop.product(&defect, &z, next - known).negated());
     }
     z
@@ -41,10 +41,10 @@ pub(crate) fn exponential(shop: &Workshop, rate: &Fixed, constant: &Integer) -> 
         let next = (2 * known).min(len);
         let new = next - known;
         // The defect rate H - theta H vanishes below `known`; there theta H has no further terms.
-        let defect = shop.product(rate, &h, next).beyond(known);
+        let defect = shop.products(&[(1, rate, &h)], known..next);
         let quotient = shop.product(&defect, &inverse, new).scaled(|i| (1, (known + i) as i64));
         h.extend(&shop.product(&h, &quotient, new));
-        let overlap = shop.product(&h, &inverse, next).beyond(known);
+        let overlap = shop.products(&[(1, &h, &inverse)], known..next);
         inverse.extend(&shop.product(&overlap, &inverse, new).negated());
     }
     h

@@ -47,8 +47,7 @@ impl Linearised {
         let work = shop.product(&self.velocity, right, len).scaled(|j| (lattice.unit, e(j)));
         let moment =
             shop.product(&self.rescaling, right, len).scaled(|j| (lattice.unit, e(j) + lattice.unit));
-        let mut sum = shop.product(&self.velocity, &moment, len).negated();
-        sum.add(&shop.product(&self.rescaling, &work, len));
+        let sum = shop.products(&[(-1, &self.velocity, &moment), (1, &self.rescaling, &work)], 0..len);
         sum.scaled(|_| (2 * lattice.unit, lattice.elastic))
     }
 }
@@ -60,12 +59,11 @@ impl Undamped {
         let one = Integer::from(1) << (2 * shop.bits());
         let lead = Fixed::from_integers(&[one / force.integer(0)], shop.width());
         let mut inverse = extend_reciprocal(shop, lead, &f, &force, f.len());
+        let mut reciprocal = shop.product(&force, &inverse, f.len());
         while f.len() < terms {
-            double(shop, scale, &mut f, &mut force, &mut inverse, terms);
+            reciprocal = double(shop, scale, &mut f, &mut force, &mut inverse, terms);
         }
-        // 1/F = e F^a / (F e F^a).
-        let inverse = extend_reciprocal(shop, inverse, &f, &force, terms);
-        let reciprocal = shop.product(&force, &inverse, terms);
+        let reciprocal = newton_reciprocal(shop, reciprocal, &f, terms);
         Self { f, force, reciprocal }
     }
 }
@@ -91,16 +89,20 @@ fn first_terms(shop: &Workshop, scale: &Scale, terms: usize) -> (Fixed, Fixed) {
     (Fixed::from_integers(&f, shop.width()), Fixed::from_integers(&force, shop.width()))
 }
 
-/// Newton's iteration `z <- z (2 - z F G)` for the reciprocal of `F G`.
-fn extend_reciprocal(shop: &Workshop, mut z: Fixed, f: &Fixed, g: &Fixed, terms: usize) -> Fixed {
+/// Continues the reciprocal of `F G`.
+fn extend_reciprocal(shop: &Workshop, z: Fixed, f: &Fixed, g: &Fixed, terms: usize) -> Fixed {
     if z.len() >= terms {
         return z;
     }
-    let series = shop.product(f, g, terms);
+    newton_reciprocal(shop, z, &shop.product(f, g, terms), terms)
+}
+
+/// Newton's iteration `z <- z (2 - z F)` for the reciprocal of a series.
+fn newton_reciprocal(shop: &Workshop, mut z: Fixed, series: &Fixed, terms: usize) -> Fixed {
     while z.len() < terms {
         let known = z.len();
         let next = (2 * known).min(terms);
-        let defect = shop.product(&series, &z, next).beyond(known);
+        let defect = shop.products(&[(1, series, &z)], known..next);
         z.extend(&shop.product(&defect, &z, next - known).negated());
     }
     z
@@ -112,6 +114,8 @@ fn extend_reciprocal(shop: &Workshop, mut z: Fixed, f: &Fixed, g: &Fixed, terms:
 ///    `E = G theta^(-1)(D/(F G))`, `D = a (theta F) G - F theta G`, `theta = s d/ds`.
 /// 2. The residual of the equation of motion is `s (G + E)` from order `n` on.
 /// 3. The linearised equation gives the correction of `F`; that of `F^a` is `a F^(a-1)` times it.
+///
+/// Returns the first terms of `1/F`.
 fn double(
     shop: &Workshop,
     scale: &Scale,
@@ -119,7 +123,7 @@ fn double(
     force: &mut Fixed,
     inverse: &mut Fixed,
     terms: usize,
-) {
+) -> Fixed {
     let (unit, a) = (scale.lattice.unit, scale.powers()[0]);
     let known = f.len();
     let next = (2 * known).min(terms);
@@ -127,10 +131,9 @@ fn double(
 
     let slope_of_f = f.scaled(|i| (a * i as i64, unit));
     let slope_of_force = force.scaled(|i| (i as i64, 1));
-    let mut defect = shop.product(f, &slope_of_force, next).negated();
-    defect.add(&shop.product(&slope_of_f, force, next));
+    let defect = shop.products(&[(-1, f, &slope_of_force), (1, &slope_of_f, force)], known..next);
     *inverse = extend_reciprocal(shop, inverse.clone(), f, force, known);
-    let quotient = shop.product(&defect.beyond(known), inverse, new).scaled(|i| (1, (known + i) as i64));
+    let quotient = shop.product(&defect, inverse, new).scaled(|i| (1, (known + i) as i64));
     let missing = shop.product(force, &quotient, new);
 
     let mut pulls = force.beyond(known - 1);
@@ -144,4 +147,5 @@ fn double(
     change.add(&missing);
     f.extend(&correction);
     force.extend(&change);
+    reciprocal
 }

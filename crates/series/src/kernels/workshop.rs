@@ -6,6 +6,7 @@ use super::prime::Prime;
 use super::transform::{Roots, size_for};
 use rayon::prelude::*;
 use std::collections::HashMap;
+use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -264,7 +265,12 @@ impl Workshop {
     /// Transforms back and returns the first `len` coefficients divided by `2^shift`, `shift >= 64`.
     ///
     /// Each has an error of at most 1/2 and `2^-20` of its unit.
-    pub fn settle(&self, mut sum: Sum, len: usize, shift: u32) -> Fixed {
+    pub fn settle(&self, sum: Sum, len: usize, shift: u32) -> Fixed {
+        self.settle_range(sum, 0..len, shift)
+    }
+
+    /// As [`Self::settle`], for some of the coefficients.
+    fn settle_range(&self, mut sum: Sum, range: Range<usize>, shift: u32) -> Fixed {
         let (size, count) = (sum.size, sum.count);
         if sum.extent.bits() > shift + 64 * self.width as u32 - 2 {
             self.overflow.store(true, Ordering::Relaxed);
@@ -283,13 +289,13 @@ impl Workshop {
             let exact = primes_for(bits.max(shift));
             exact.next_multiple_of(step).min(count)
         };
-        let mut words = vec![0; len * self.width];
+        let mut words = vec![0; range.len() * self.width];
         let block = 32;
         let write = |(chunk, words): (usize, &mut [u64])| {
             let mut scratch = Vec::new();
             let mut level = None;
             for (k, out) in words.chunks_mut(self.width).enumerate() {
-                let j = chunk * block + k;
+                let j = range.start + chunk * block + k;
                 let count = needed(j);
                 let (_, level) = match level.take() {
                     Some((known, kept)) if known == count => level.insert((known, kept)),
@@ -310,19 +316,42 @@ impl Workshop {
     ///
     /// Digits of a factor that the smallness of the other makes worthless are left away first.
     pub fn product(&self, a: &Fixed, b: &Fixed, len: usize) -> Fixed {
-        let (a, b) = (a.truncated(len), b.truncated(len));
-        let spare = |other: &Fixed| self.bits.saturating_sub(other.bits() + 16);
-        let (drop_a, drop_b) = (spare(&b), spare(&a));
-        let (drop_a, drop_b) =
-            if drop_a + drop_b + 64 > self.bits || drop_a + drop_b < 64 { (0, 0) } else { (drop_a, drop_b) };
-        let dropped = |x: Fixed, bits: u32| if bits > 0 { x.shifted_right(bits) } else { x };
-        let (a, b) = (dropped(a, drop_a), dropped(b, drop_b));
-        let size = size_for((a.len() + b.len()).min(2 * len).max(2) - 1);
-        let terms = a.len().min(b.len()).max(1);
-        let extent = self.extent(&a).times(self.extent(&b)).plus(terms.ilog2() + 8);
+        self.products(&[(1, a, b)], 0..len)
+    }
+
+    /// Some coefficients of a sum of products whose first factors have one length, and whose second have one.
+    ///
+    /// The transforms are so long that what is folded over falls below the range, and no longer.
+    pub fn products(&self, terms: &[(i64, &Fixed, &Fixed)], range: Range<usize>) -> Fixed {
+        let len = range.end;
+        let mut factors: Vec<(Fixed, Fixed)> =
+            terms.iter().map(|(_, a, b)| (a.truncated(len), b.truncated(len))).collect();
+        let bits = |second: bool| {
+            factors.iter().map(|(a, b)| if second { b.bits() } else { a.bits() }).max().unwrap_or(0)
+        };
+        let spare = |other: u32| self.bits.saturating_sub(other + 16);
+        let (drop_a, drop_b) = (spare(bits(true)), spare(bits(false)));
+        let dropping = (64..=self.bits.saturating_sub(64)).contains(&(drop_a + drop_b));
+        let (drop_a, drop_b) = if dropping { (drop_a, drop_b) } else { (0, 0) };
+        for (a, b) in &mut factors {
+            for (factor, bits) in [(a, drop_a), (b, drop_b)] {
+                if bits > 0 {
+                    *factor = factor.shifted_right(bits);
+                }
+            }
+        }
+        let [a, b] = factors.first().map_or([1, 1], |(a, b)| [a.len(), b.len()]);
+        let whole = (a + b).max(2) - 1;
+        let size = size_for(len.min(whole).max(whole - range.start.min(whole)));
+        let extent = |(a, b): &(Fixed, Fixed)| self.extent(a).times(self.extent(b));
+        let extent = factors.iter().map(extent).fold(Extent::default(), Extent::or);
+        let extent = extent.plus(a.min(b).max(1).ilog2() + terms.len().ilog2() + 8);
         let count = primes_for(extent.bits()).min(self.primes.len());
-        let (a, b) = (self.transform(&a, size, count), self.transform(&b, size, count));
-        self.settle(self.sum(&[(1, &a, &b)]), len.min(size), self.bits - drop_a - drop_b)
+        let transform = |series: &Fixed| self.transform(series, size, count);
+        let factors: Vec<_> = factors.iter().map(|(a, b)| (transform(a), transform(b))).collect();
+        let terms: Vec<_> =
+            terms.iter().zip(&factors).map(|(&(weight, ..), (a, b))| (weight, a, b)).collect();
+        self.settle_range(self.sum(&terms), range.start..len.min(size), self.bits - drop_a - drop_b)
     }
 
     /// Primes that suffice for a product of any two series of this precision.
