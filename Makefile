@@ -95,7 +95,7 @@ bench-peers: tools bench/.venv/ready ## measure the series engine against FLINT 
 	$(CARGO) build --release --locked --quiet --package restitution-series --examples
 	bench/.venv/bin/python bench/peers/compare.py
 
-test-codes: tools bench/.venv-codes/ready ## run LAMMPS, REBOUND, and LIGGGHTS and YADE if installed, on the lines we print
+test-codes: tools bench/.venv-codes/ready ## run LAMMPS, Kratos, REBOUND, and LIGGGHTS and YADE if installed, on the lines we print
 	$(CARGO) build --release --locked --quiet --package restitution-cli
 	bench/.venv-codes/bin/python bench/codes/run.py
 

