@@ -13,7 +13,9 @@ pub enum ClosedError {
         largest: usize,
     },
     /// The order is beyond what is derived.
-    #[error("closed forms are derived up to order {largest} in u, and {order} was asked for: lower --order")]
+    #[error(
+        "closed forms are derived up to order {largest} in u, and {order} was asked for: ask for a lower order"
+    )]
     BeyondAlgebra {
         /// The order asked for, in whole powers of `u`.
         order: usize,

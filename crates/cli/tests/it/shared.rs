@@ -202,7 +202,7 @@ fn closed_forms_give_the_digits_of_the_table() {
     let text = succeed("closed-form --order 3");
     assert!(text.starts_with("a_3 = 7/25 + 575/1452 B(9/5, 3/2)/B(3/5, 3/2)^3\n"), "{text}");
     for (line, remedy) in [
-        ("closed-form --order 13", "lower --order"),
+        ("closed-form --order 13", "ask for a lower order"),
         ("closed-form --order 0", "give one from 1"),
         ("closed-form", "--order"),
         ("closed-form --order 4 --law -1,0", "give A > 0"),
