@@ -319,4 +319,28 @@ mod tests {
             assert!((28.0..36.0).contains(&gained), "32 bits more gain {gained}");
         }
     }
+
+    /// What is not known of the positions and of the velocities at `T` is in the bound of the compression.
+    #[test]
+    fn errors_at_the_undamped_turning_point_reach_the_compression() {
+        let (law, bits) = (ForceLaw::viscoelastic_spheres(), 160);
+        let scale = Scale::new(&law, 0.9, bits);
+        let shop = Workshop::new(bits, HEAD, (2, 1));
+        let size = size_for_bits(&law, bits, 24);
+        let motion = Motion::derive(&shop, &scale, 4, size, bits + ROW_HEAD, &mut |_| ()).unwrap();
+        let errors = motion_proof::bound(&shop, &scale, &motion, log_singular_ratio(&law)).unwrap();
+        let flat = Workshop::new(bits, HEAD, (0, 1));
+        let start = Start::new(&law, &scale, &motion, errors, bits);
+        let turning = start.turning(1.5 * start.first_step());
+        let (position, velocity) = (&start.position, &start.velocity);
+        let near = Neighbourhood::new(&flat, &scale, &turning, position, velocity, bits + ROW_HEAD).unwrap();
+        let shift = near.shift(&flat, 3);
+        let bound =
+            |errors| turning_proof::bound(&flat, &scale, &turning, &near, errors, &shift).unwrap().to_f64();
+        let (none, large) = (Magnitude::ZERO, Magnitude::exact(2f64.powi(60)));
+        assert!(bound((none, none)) < 2f64.powi(40));
+        // A position off by so much at T is as far off later, at least to first order.
+        assert!(bound((large, none)) >= 2f64.powi(60));
+        assert!(bound((none, large)) >= 2f64.powi(60) * turning.step.0 as f64 / turning.step.1 as f64);
+    }
 }
