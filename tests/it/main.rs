@@ -9,6 +9,7 @@ mod citations;
 mod closed_forms;
 mod closed_values;
 mod codes;
+mod delayed_recovery;
 mod dimensional;
 mod direct;
 mod direct_hard;

@@ -22,3 +22,8 @@ pub fn big_integer(value: &Integer) -> BigInt {
     let sign = if value.is_negative() { Sign::Minus } else { Sign::Plus };
     BigInt::from_slice(sign, &digits)
 }
+
+/// Converts GMP's fraction, which is reduced, to num-rational's.
+pub fn big_rational(value: &Rational) -> BigRational {
+    BigRational::new_raw(big_integer(value.numer()), big_integer(value.denom()))
+}
