@@ -3,7 +3,7 @@ CARGO ?= cargo
 .DEFAULT_GOAL := help
 SIZE ?= minutes
 SEED ?= 1
-.PHONY: help table tables test test-python test-page attack test-tools tools fmt clippy doc package publish-dry-run msrv book bench bench-python bench-peers mutants rooms test-codes clean
+.PHONY: help table tables test test-python test-page test-forms test-latex attack test-tools tools fmt clippy doc package publish-dry-run msrv book bench bench-python bench-peers mutants rooms test-codes clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-15s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -32,6 +32,7 @@ test: tools test-tools ## check formats, lints, documentation; run every test
 	$(STEP) tests env CI=true $(CARGO) test --workspace --locked --quiet --no-fail-fast
 	$(STEP) python $(MAKE) --no-print-directory test-python
 	$(STEP) page $(MAKE) --no-print-directory test-page
+	$(STEP) forms $(MAKE) --no-print-directory test-forms
 
 PYTHON = target/python
 test-python: tools $(PYTHON)/ready ## install the Python package into target/python and test it
@@ -42,6 +43,14 @@ test-page: tools $(PYTHON)/ready ## test the page of `restitution page` in a rea
 	@sh scripts/need chromium
 	$(CARGO) build --release --locked --quiet --package restitution-cli
 	$(PYTHON)/bin/python -m pytest --quiet crates/page/tests
+
+test-forms: tools $(PYTHON)/ready ## run what `restitution closed-form` prints for mpmath, sympy and, if it is installed, LaTeX
+	$(CARGO) build --release --locked --quiet --package restitution-cli
+	$(PYTHON)/bin/python -m pytest --quiet tests/forms
+
+test-latex: ## install LaTeX if it is missing, then as test-forms
+	@sh scripts/need pdflatex
+	@$(MAKE) --no-print-directory test-forms
 
 $(PYTHON)/ready: crates/python/tests/requirements.txt crates/page/tests/requirements.txt
 	@python3 -c 'import ensurepip' 2>/dev/null || sh scripts/need python-venv

@@ -4,16 +4,20 @@ use crate::AuditError;
 use crate::PowerForces;
 use crate::claim::{Claim, Finding, Verdict, enclosed, identity, number, right_side, sides};
 use crate::formula::Scope;
-use crate::printed_number::Known;
+use crate::printed_number::{Known, SHOWN_DIGITS, digits};
 use crate::samples::Samples;
-use crate::true_values::{ball, fraction, one};
+use crate::true_values::{TrueValues, ball, fraction, one};
 use num_rational::BigRational;
 use num_traits::One;
+use restitution_closed::{Family, Language, Reduction, closed_form, low_orders};
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use restitution_series::FractionalSeries;
+use std::ops::RangeInclusive;
 
 const TABLE: &str = "restitution table --quantity C --order 2 --digits 20";
+
+const CLOSED: &str = "restitution closed-form --quantity C --order 4";
 
 /// The claims.
 pub fn claims() -> Vec<Claim> {
@@ -22,6 +26,13 @@ pub fn claims() -> Vec<Claim> {
             enclosed(printed, &-&truth.c[1])
         }),
         Claim::new("6.C2", "C_2", "0.79826", TABLE, |printed, truth| enclosed(printed, &truth.c[2])),
+        Claim::new(
+            "6.closed",
+            "the method of the appendix gives the coefficients of (6) as convergent series, not in closed form",
+            "no closed form of C_3 and C_4",
+            CLOSED,
+            |_, truth| closed_forms(truth, 3..=4),
+        ),
         Claim::new(
             "8",
             "the largest compression takes up the energy m g^2/2 of the impact",
@@ -193,6 +204,29 @@ fn damping_of_spheres(samples: &mut Samples) -> Result<Scope<Ball>, AuditError> 
     let damping = &stiffness * &a * ball(3) / ball(2);
     let delta = PowerForces::from(ForceLaw::viscoelastic_spheres()).damping_number(&stiffness, &damping, &g);
     Ok(Scope::new(one()).with_all(&["A", "rho", "m", "g", "delta"], [a, rho, mass, g, delta]))
+}
+
+/// A remark that there is no closed form of `C_k`: true of the method, and imprecise if one gives the same numbers.
+pub fn closed_forms(truth: &TrueValues, orders: RangeInclusive<usize>) -> Result<Finding, AuditError> {
+    let law = truth.collision.law();
+    let closed =
+        low_orders(Family::Restitution, law, *orders.end(), SHOWN_DIGITS).map_err(AuditError::failure)?;
+    let agree = |k: usize| {
+        let (value, engine) = (digits(&closed[k], SHOWN_DIGITS)?, digits(&truth.c[k], SHOWN_DIGITS)?);
+        Ok((closed[k].overlaps(&truth.c[k]) && value == engine, format!("C_{k} = {value}")))
+    };
+    let found = orders.clone().map(agree).collect::<Result<Vec<_>, AuditError>>()?;
+    let shown = found.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>().join(", ");
+    let exist = found.iter().all(|(agrees, _)| *agrees);
+    let finding =
+        statement(format!("closed forms and the method of the appendix agree: {shown}"), exist).imprecise();
+    let forms = orders.map(|k| {
+        let form =
+            closed_form(Family::Restitution, law, k, Reduction::Special).map_err(AuditError::failure)?;
+        Ok(format!("C_{k} = {}", form.expression(Language::Text)))
+    });
+    let forms = forms.collect::<Result<Vec<_>, AuditError>>()?.join("; ");
+    Ok(finding.noting(format!("{forms}, derived in docs/closed-forms.md for every power law")))
 }
 
 /// The verdict on something that is true or not.

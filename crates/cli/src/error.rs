@@ -81,7 +81,10 @@ impl From<RealError> for CliError {
 
 impl From<SeriesError> for CliError {
     fn from(error: SeriesError) -> Self {
-        Self::failure(error)
+        match error {
+            SeriesError::NoZeroForceEnd { .. } => Self::usage(error),
+            _ => Self::failure(error),
+        }
     }
 }
 
@@ -91,6 +94,7 @@ impl From<ClosedError> for CliError {
             ClosedError::BeyondBeta { .. }
             | ClosedError::BeyondAlgebra { .. }
             | ClosedError::TooManyTerms { .. } => Self::usage(error),
+            ClosedError::Series(error) => error.into(),
             _ => Self::failure(error),
         }
     }

@@ -195,7 +195,7 @@ impl ClosedForm {
         constants
     }
 
-    /// Returns the value, enclosed so narrowly that [`certified`](crate::certified) proves `digits` decimals.
+    /// Returns the value, enclosed so narrowly that [`Ball::to_digits`] proves `digits` decimals.
     ///
     /// # Errors
     ///

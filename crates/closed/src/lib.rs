@@ -8,7 +8,6 @@
 mod algebra;
 mod beta;
 mod closed_form;
-mod decimal;
 mod error;
 mod iterated;
 mod language;
@@ -19,7 +18,6 @@ mod splitting;
 pub use algebra::Reduction;
 pub use beta::beta;
 pub use closed_form::{Base, ClosedForm, Constant, LARGEST_ORDER, Term, closed_form};
-pub use decimal::{Certified, certified};
 pub use error::ClosedError;
 pub use iterated::iterated_beta;
 pub use language::Language;

@@ -41,7 +41,7 @@ impl Family {
 }
 
 /// Returns the coefficients `0 ..= order` of a law from their closed forms, each enclosed so narrowly that
-/// `digits` decimals are proved by [`certified`](crate::certified).
+/// `digits` decimals are proved by [`Ball::to_digits`].
 ///
 /// With `s = (gamma+1)/(a+1)`, `P = B(3/2, s)`:
 ///
@@ -61,12 +61,12 @@ impl Family {
 /// # Examples
 ///
 /// ```
-/// use restitution_closed::{ClosedError, Family, certified, low_orders};
+/// use restitution_closed::{ClosedError, Family, low_orders};
 /// use restitution_law::ForceLaw;
 ///
 /// let spheres = ForceLaw::viscoelastic_spheres();
 /// let c = low_orders(Family::Restitution, &spheres, 4, 20)?;
-/// assert_eq!(certified(&c[3], 20).map(|c| c.value).as_deref(), Some("-0.52288256808841496390"));
+/// assert_eq!(c[3].to_digits(20).as_deref(), Some("-0.52288256808841496390"));
 ///
 /// assert!(matches!(low_orders(Family::Scaled, &spheres, 5, 20), Err(ClosedError::BeyondBeta { .. })));
 /// # Ok::<(), ClosedError>(())

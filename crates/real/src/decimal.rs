@@ -1,8 +1,14 @@
-//! Decimal digits that a ball proves.
+//! Decimal digits that a ball proves, of any length at the speed of GMP's conversion.
 
 use crate::Ball;
-use rug::Float;
 use rug::float::Round;
+use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound, Pow};
+use rug::{Float, Integer};
+
+/// Half of a 2^-30th of a unit: a ball as narrow as this, seen from the last digit, fails only at a tie.
+const TIE: f64 = 1.0 / (1u64 << 31) as f64;
+/// Decimal exponents up to which powers of ten are exact integers; beyond, they are balls.
+const EXACT_POWERS: u64 = 1 << 16;
 
 impl Ball {
     /// Returns the value rounded to `digits` significant decimals, if the ball proves them.
@@ -13,29 +19,25 @@ impl Ball {
     /// then right to half a unit and a 2^-30th of it.) The form is plain
     /// (`-0.0123`) for exponents from -6 to `digits`, scientific (`1.23e-9`) elsewhere. `None` if the
     /// ball is too wide, or contains zero without being exactly zero.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution_real::Ball;
+    ///
+    /// let third = Ball::from_ratio(1, 3, 64);
+    /// assert_eq!(third.to_digits(10).as_deref(), Some("0.3333333333"));
+    ///
+    /// assert_eq!(third.to_digits(30), None); // 64 bits prove 19 digits
+    /// ```
     pub fn to_digits(&self, digits: usize) -> Option<String> {
-        if digits == 0 || !self.is_finite() {
-            return None;
-        }
-        if self.is_exact() && self.mid.is_zero() {
-            return Some("0".to_owned());
-        }
-        if self.contains_zero() {
-            return None;
-        }
-        // Both ends are rounded outwards by less than a 2^-30th of half a unit of the last digit.
-        let prec = self.prec().max(narrow(digits)) + 2;
-        let low = Float::with_val_round(prec, &self.mid - &self.rad, Round::Down).0;
-        let high = Float::with_val_round(prec, &self.mid + &self.rad, Round::Up).0;
-        let low = decimal(&low, digits);
-        if low == decimal(&high, digits) {
-            return Some(layout(&low, digits));
-        }
-        let at_a_tie = self.relative_bits().is_none_or(|known| known > i64::from(narrow(digits)));
-        at_a_tie.then(|| layout(&decimal(&self.mid, digits), digits))
+        Some(self.to_digits_and_radius(digits)?.0)
     }
 
     /// Returns the proved digits as [`Ball::to_digits`] does, and how far the true value is from them at most.
+    ///
+    /// With `V = |midpoint| 10^k` and `m` the integer nearest to it, every point of the ball rounds to `m` if
+    /// `|V - m| + radius 10^k < 1/2`. Cost: one multiplication and one conversion of the length of the midpoint.
     ///
     /// # Examples
     ///
@@ -49,12 +51,42 @@ impl Ball {
     /// assert_eq!(third.to_digits_and_radius(30), None); // 64 bits prove 19 digits
     /// ```
     pub fn to_digits_and_radius(&self, digits: usize) -> Option<(String, String)> {
-        let shown = self.to_digits(digits)?;
-        let text = Float::parse(&shown).ok()?;
-        let number = Self::rounded(self.prec().max(narrow(digits)) + 64, text);
-        let difference = number - self;
-        let radius = Self::new(Float::new(64), &difference.abs_up()).radius_text();
-        Some((shown, radius))
+        if digits == 0 || !self.is_finite() {
+            return None;
+        }
+        if self.is_exact() && self.mid.is_zero() {
+            return Some(("0".to_owned(), "0".to_owned()));
+        }
+        if self.contains_zero() {
+            return None;
+        }
+        // Near a power of ten this may be off by a few, which the number of digits found tells.
+        let (mantissa, exponent) = self.mid.to_f64_exp();
+        let logarithm = mantissa.abs().log10() + f64::from(exponent) * std::f64::consts::LOG10_2;
+        let mut decade = logarithm.floor() as i64 + 1;
+        loop {
+            let shift = i64::try_from(digits).ok()? - decade;
+            let (nearest, distance, error) = self.in_units(shift, digits)?;
+            let mut text = nearest.to_string();
+            if text.len() < digits {
+                decade -= 1;
+                continue;
+            }
+            if text.len() > digits {
+                decade += 1;
+                if !(text.len() == digits + 1 && text[1..].bytes().all(|digit| digit == b'0')) {
+                    continue;
+                }
+                text.truncate(digits); // 9.99... has been rounded to 10
+            }
+            let mut total = distance;
+            total.add_assign_round(&error, Round::Up);
+            if total >= 0.5 && error > TIE {
+                return None;
+            }
+            let radius = Self::new(Float::new(64), &times_power_of_ten_up(&total, -shift)?).radius_text();
+            return Some((layout(self.mid.is_sign_negative(), &text, decade, digits), radius));
+        }
     }
 
     /// Returns the radius as an upper bound with two digits, such as `1.3e-42`; `0` if exact.
@@ -65,37 +97,91 @@ impl Ball {
             self.rad.to_string_radix_round(10, Some(2), Round::Up)
         }
     }
+
+    /// For `V = |midpoint| 10^shift` of `digits` digits: the nearest integer, how far it is, and the radius in the
+    /// same unit, both up.
+    fn in_units(&self, shift: i64, digits: usize) -> Option<(Integer, Float, Float)> {
+        let needed = u32::try_from(digits.saturating_mul(10) / 3).ok()?.max(self.prec()).checked_add(96)?;
+        if shift.unsigned_abs() > EXACT_POWERS.max(8 * u64::from(needed)) {
+            let scaled = self.with_prec(needed) * Self::from_integer(10, needed).powi(shift);
+            let (nearest, distance) = nearest_integer(&scaled.mid, 0)?;
+            return Some((nearest, distance, scaled.rad));
+        }
+        let (nearest, distance) = nearest_integer(&self.mid, shift)?;
+        Some((nearest, distance, times_power_of_ten_up(&self.rad, shift)?))
+    }
 }
 
-/// Relative bits beyond which a radius is below a 2^-30th of half a unit of the last of `digits` digits.
-///
-/// A unit of the last digit is more than `10^-digits` of the value, and `10 < 2^(10/3)`.
-fn narrow(digits: usize) -> u32 {
-    u32::try_from(digits.saturating_mul(10) / 3).unwrap_or(u32::MAX).saturating_add(34).min(u32::MAX / 8)
+/// The integer nearest to `V = |x| 10^shift`, the even one at a tie, and how far it is, rounded up.
+fn nearest_integer(x: &Float, shift: i64) -> Option<(Integer, Float)> {
+    let (mantissa, exponent) = x.to_integer_exp()?;
+    let power = Integer::from(5).pow(u32::try_from(shift.unsigned_abs()).ok()?);
+    let exponent = i64::from(exponent) + shift;
+    let twos = u32::try_from(exponent.unsigned_abs()).ok()?;
+    let (mut above, mut below) = (mantissa.abs(), Integer::from(1));
+    if shift >= 0 {
+        above *= power;
+    } else {
+        below = power;
+    }
+    if exponent >= 0 {
+        above <<= twos;
+    } else if shift >= 0 {
+        return Some(nearest_multiple(above, twos));
+    } else {
+        below <<= twos;
+    }
+    let twice = Integer::from(&below * 2u32);
+    let (mut nearest, rest) = (above * 2u32 + &below).div_rem_floor(twice.clone());
+    if rest.is_zero() && nearest.is_odd() {
+        nearest -= 1;
+    }
+    let mut distance = Float::with_val_round(32, &(rest - &below).abs(), Round::Up).0;
+    distance.div_assign_round(&Float::with_val_round(32, &twice, Round::Down).0, Round::Up);
+    Some((nearest, distance))
 }
 
-/// Sign, digits and exponent of `0.d1d2d3... * 10^exponent`.
-type Decimal = (bool, String, i32);
-
-fn decimal(x: &Float, digits: usize) -> Decimal {
-    let (negative, text, exponent) = x.to_sign_string_exp_round(10, Some(digits), Round::Nearest);
-    (negative, text, exponent.unwrap_or(0))
+/// The integer nearest to `n 2^-bits`, and how far it is: most often the denominator is a power of two.
+fn nearest_multiple(n: Integer, bits: u32) -> (Integer, Float) {
+    if bits == 0 {
+        return (n, Float::new(32));
+    }
+    let half = Integer::from(1) << (bits - 1);
+    let mut nearest = Integer::from(&n + &half) >> bits;
+    let difference = (n - Integer::from(&nearest << bits)).abs();
+    if difference == half && nearest.is_odd() {
+        nearest -= 1;
+    }
+    (nearest, Float::with_val_round(32, &difference, Round::Up).0 >> bits)
 }
 
-fn layout((negative, digits, exponent): &Decimal, wanted: usize) -> String {
-    let sign = if *negative { "-" } else { "" };
-    let exponent = i64::from(*exponent);
-    if exponent > i64::try_from(wanted).unwrap_or(i64::MAX) || exponent < -5 {
+/// An upper bound of `x 10^power`, `x >= 0`; exact where it can be.
+fn times_power_of_ten_up(x: &Float, power: i64) -> Option<Float> {
+    let ten = Float::with_val(64, 10);
+    let factor = Float::with_val_round(64, ten.pow(i32::try_from(power).ok()?), Round::Up).0;
+    let mut out = Float::with_val_round(64, x, Round::Up).0;
+    out.mul_assign_round(&factor, Round::Up);
+    // The power is within a few units of its 64 bits, exact up to 10^27: 2^-60 covers it.
+    if !(0..=27).contains(&power) && !out.is_zero() {
+        out.mul_assign_round(&(Float::with_val(64, 1) + Float::with_val(64, 2).pow(-60)), Round::Up);
+    }
+    Some(out)
+}
+
+/// The decimal `0.digits 10^decade`: plain for small exponents, scientific elsewhere.
+fn layout(negative: bool, digits: &str, decade: i64, wanted: usize) -> String {
+    let sign = if negative { "-" } else { "" };
+    if decade > i64::try_from(wanted).unwrap_or(i64::MAX) || decade < -5 {
         let (first, rest) = digits.split_at(1);
         let point = if rest.is_empty() { "" } else { "." };
-        return format!("{sign}{first}{point}{rest}e{}", exponent - 1);
+        return format!("{sign}{first}{point}{rest}e{}", decade - 1);
     }
-    match usize::try_from(exponent) {
+    match usize::try_from(decade) {
         Ok(0) | Err(_) => {
-            let zeros = "0".repeat(usize::try_from(-exponent).unwrap_or(0));
+            let zeros = "0".repeat(usize::try_from(-decade).unwrap_or(0));
             format!("{sign}0.{zeros}{digits}")
         }
-        Ok(whole) if whole == wanted => format!("{sign}{digits}"),
+        Ok(whole) if whole == digits.len() => format!("{sign}{digits}"),
         Ok(whole) => format!("{sign}{}.{}", &digits[..whole], &digits[whole..]),
     }
 }

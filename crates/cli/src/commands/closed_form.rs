@@ -3,9 +3,7 @@
 use crate::args::{self, LawArgs};
 use crate::output::TargetArgs;
 use crate::{CliError, memory, progress};
-use restitution_closed::{
-    Certified, ClosedForm, Constant, Family, Language, Reduction, certified, closed_form,
-};
+use restitution_closed::{ClosedForm, Constant, Family, Language, Reduction, closed_form};
 use serde_json::{Value, json};
 
 /// What the python form needs to evaluate iterated Beta integrals.
@@ -98,23 +96,24 @@ impl ClosedFormArgs {
         self.target.write(&text)
     }
 
-    fn value(&self, form: &ClosedForm) -> Result<Certified, CliError> {
+    /// The value and its radius.
+    fn value(&self, form: &ClosedForm) -> Result<(String, String), CliError> {
         let unproved =
             || CliError::failure(format!("{} digits could not be proved: ask for fewer", self.digits));
-        certified(&form.value(self.digits)?, self.digits).ok_or_else(unproved)
+        form.value(self.digits)?.to_digits_and_radius(self.digits).ok_or_else(unproved)
     }
 
     fn constant_digits(&self, constant: &Constant, digits: usize) -> Result<String, CliError> {
         let bits = u32::try_from(digits * 3322 / 1000 + 64).unwrap_or(u32::MAX / 2);
         let unproved = || CliError::failure(format!("{digits} digits could not be proved: ask for fewer"));
-        Ok(certified(&constant.value(bits)?, digits).ok_or_else(unproved)?.value)
+        constant.value(bits)?.to_digits(digits).ok_or_else(unproved)
     }
 
     fn text(&self, form: &ClosedForm) -> Result<String, CliError> {
-        let value = self.value(form)?;
+        let (value, radius) = self.value(form)?;
         let mut lines = vec![
             format!("{} = {}", form.name(), form.expression(Language::Text)),
-            format!("{} = {}", " ".repeat(form.name().len()), value.value),
+            format!("{} = {}", " ".repeat(form.name().len()), value),
             String::new(),
         ];
         for constant in form.constants() {
@@ -122,10 +121,7 @@ impl ClosedFormArgs {
         }
         lines.push(String::new());
         lines.extend(self.definitions(form));
-        lines.push(format!(
-            "radius: the true value differs from the one shown by no more than {}",
-            value.radius
-        ));
+        lines.push(format!("radius: the true value differs from the one shown by no more than {radius}"));
         Ok(lines.join("\n") + "\n")
     }
 
@@ -151,9 +147,8 @@ impl ClosedFormArgs {
     }
 
     fn latex(&self, form: &ClosedForm) -> Result<String, CliError> {
-        let value = self.value(form)?;
-        let shown =
-            value.value.replace('e', " \\cdot 10^{") + if value.value.contains('e') { "}" } else { "" };
+        let (value, _) = self.value(form)?;
+        let shown = value.replace('e', " \\cdot 10^{") + if value.contains('e') { "}" } else { "" };
         let mut lines = vec![
             "% for a document of any class; no package is needed".to_owned(),
             "\\begin{eqnarray*}".to_owned(),
@@ -177,7 +172,7 @@ impl ClosedFormArgs {
     }
 
     fn json(&self, form: &ClosedForm) -> Result<String, CliError> {
-        let value = self.value(form)?;
+        let (value, radius) = self.value(form)?;
         let exponents =
             |constant: &Constant| constant.exponents.iter().map(ToString::to_string).collect::<Vec<_>>();
         let constants = form.constants().into_iter().map(|constant| {
@@ -207,8 +202,8 @@ impl ClosedFormArgs {
             "constants": constants,
             "definition": "M(p_1, ..., p_r) = integral over -1 < v_r < ... < v_1 < 1 of prod (1-v_i^2)^(p_i-1) v_i^2 dv_i; \
                            B(p, 3/2) = M(p)",
-            "value": value.value,
-            "radius": value.radius,
+            "value": value,
+            "radius": radius,
         });
         Ok(format!("{whole:#}\n"))
     }

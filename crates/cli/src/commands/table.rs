@@ -5,7 +5,7 @@ use crate::progress::{self, Progress};
 use crate::{Cell, CliError, OutputArgs, Table, memory};
 use num_rational::BigRational;
 use rayon::prelude::*;
-use restitution_closed::{Certified, Family, low_orders};
+use restitution_closed::{Family, low_orders};
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use restitution_series::{DelayedRecovery, coefficients_watched};
@@ -200,10 +200,10 @@ impl TableArgs {
         let label = format!("{}_k", quantity.letter());
         let shown = progress::during(&label, || {
             let values = low_orders(family, &self.law.law, self.order, self.digits)?;
-            let shown = values.par_iter().map(|value| restitution_closed::certified(value, self.digits));
-            shown.collect::<Option<Vec<Certified>>>().ok_or_else(|| unproved(self.digits))
+            let shown = values.par_iter().map(|value| value.to_digits_and_radius(self.digits));
+            shown.collect::<Option<Vec<_>>>().ok_or_else(|| unproved(self.digits))
         })?;
-        let row = |(k, c): (usize, Certified)| [k.into(), Cell::Digits(c.value), Cell::Digits(c.radius)];
+        let row = |(k, (value, radius))| [usize::into(k), Cell::Digits(value), Cell::Digits(radius)];
         Ok(shown.into_iter().enumerate().skip(quantity.first()).map(row).collect())
     }
 }

@@ -123,6 +123,27 @@ fn numbers_are_laid_out_plainly() {
     assert_eq!(Ball::from_integer(0, 64).widened(&Float::with_val(9, 1e-9)).to_digits(1), None);
 }
 
+/// A short ball has as many digits as are asked for: zeros, if it is exact.
+#[test]
+fn exact_numbers_have_any_number_of_digits() {
+    for digits in [70_000, 300_000] {
+        let one = Ball::from_integer(1, 2).to_digits(digits);
+        assert_eq!(one, Some(format!("1.{}", "0".repeat(digits - 1))));
+        let large = Ball::from_integer(10, 64).powi(19).powi(10_000);
+        assert_eq!(large.to_digits(digits), None);
+    }
+}
+
+#[test]
+fn numbers_beyond_every_float_have_digits() {
+    for n in [70_000, 1_000_003, -1_000_003] {
+        let ball = Ball::from_integer(10, 200).powi(n) * Ball::from_ratio(2, 3, 200);
+        let text = format!("6.6667e{}", n - 1);
+        assert_eq!(ball.to_digits(5), Some(text));
+        assert_eq!(ball.to_digits(60), None);
+    }
+}
+
 #[test]
 fn radii_are_rounded_up() {
     let radius = |r: f64| Ball::from_integer(1, 64).widened(&Float::with_val(32, r)).radius_text();
