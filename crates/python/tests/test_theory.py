@@ -159,13 +159,18 @@ def test_progress_is_one_line_of_stderr(capsys):
     ],
 )
 def test_ctrl_c_interrupts(work):
-    code = f"import restitution\nprint('ready', flush=True)\n{work}\nprint('done', flush=True)"
-    work = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    assert work.stdout.readline() == "ready\n"
-    time.sleep(0.3)
-    work.send_signal(signal.SIGINT)
-    out, err = work.communicate(timeout=60)
-    assert work.returncode != 0 and "KeyboardInterrupt" in err and "done" not in out
+    # A process that was started in the background ignores SIGINT, and so would its children.
+    heed = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)"
+    code = f"{heed}\nimport restitution\nprint('ready', flush=True)\n{work}\nprint('done', flush=True)"
+    with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as child:
+        try:
+            assert child.stdout.readline() == "ready\n"
+            time.sleep(0.3)
+            child.send_signal(signal.SIGINT)
+            out, err = child.communicate(timeout=60)
+        finally:
+            child.kill()
+    assert child.returncode != 0 and "KeyboardInterrupt" in err and "done" not in out
 
 
 def test_latex_is_what_a_notebook_can_show():
