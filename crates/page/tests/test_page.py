@@ -6,35 +6,16 @@ Needs Chromium and the command: `make test-page` sees to both.
 import csv
 import io
 import math
-import os
-import pathlib
 import random
 import re
-import shutil
-import subprocess
 
 import pytest
-from playwright.sync_api import expect, sync_playwright
+from command import ROOT, restitution
+from playwright.sync_api import expect
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-COMMAND = os.environ.get("RESTITUTION", str(ROOT / "target/release/restitution"))
-CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-ARGUMENTS = [
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-]
 STATES = 1000
 BOUND = 1e-12  # of the evaluators, relative, as the page's last line says
 ENDS = ("zero-compression", "zero-force")
-
-
-def restitution(*arguments):
-    return subprocess.run([COMMAND, *arguments], capture_output=True, text=True, check=True).stdout
 
 
 def rows(*arguments):
@@ -46,14 +27,6 @@ def file(tmp_path_factory):
     path = tmp_path_factory.mktemp("page") / "explore.html"
     restitution("page", "-o", str(path))
     return path
-
-
-@pytest.fixture(scope="session")
-def browser():
-    with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
-        yield browser
-        browser.close()
 
 
 @pytest.fixture(params=["light", "dark"])

@@ -3,8 +3,7 @@
 import csv
 
 import pytest
-from playwright.sync_api import sync_playwright
-from test_page import ARGUMENTS, CHROMIUM, restitution
+from command import restitution
 
 
 @pytest.fixture(scope="module")
@@ -15,16 +14,14 @@ def report(tmp_path_factory):
 
 
 @pytest.fixture
-def page(report):
-    with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
-        page = browser.new_page(viewport={"width": 1200, "height": 900})
-        faults = []
-        page.on("pageerror", lambda error: faults.append(str(error)))
-        page.goto(report.joinpath("index.html").as_uri())
-        yield page
-        assert not faults
-        browser.close()
+def page(browser, report):
+    page = browser.new_page(viewport={"width": 1200, "height": 900})
+    faults = []
+    page.on("pageerror", lambda error: faults.append(str(error)))
+    page.goto(report.joinpath("index.html").as_uri())
+    yield page
+    assert not faults
+    page.close()
 
 
 READING = ".reading:not([hidden])"
