@@ -10,7 +10,7 @@ use rug::Integer;
 use rug::integer::Order;
 
 /// Bits of a block below which its numbers are multiplied one by one, and its least length.
-const SMALL: (usize, usize) = (180_000, 32);
+const SMALL: (usize, usize) = (110_000, 32);
 /// Length of a block from which on both of its products are made at the same time.
 const LONG: usize = 128;
 /// Bits of a factor that are worth cutting off.
