@@ -50,7 +50,7 @@ fn the_quotient_of_the_two_ends_is_the_sum_of_psi() {
 }
 
 #[test]
-fn high_orders_are_not_slow() {
+fn a_high_order_begins_with_the_low_ones() {
     let end = DelayedRecovery::new(&ForceLaw::viscoelastic_spheres()).expect("an end at zero force");
     let (all, few) = (end.psi(60), end.psi(4));
     assert_eq!(all.len(), 61);

@@ -1,4 +1,4 @@
-//! The package of `restitution` stands alone: its tests include nothing from outside.
+//! Packages: what each states of itself, that `restitution` includes nothing from outside, that the version is one.
 
 use std::path::Path;
 

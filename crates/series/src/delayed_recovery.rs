@@ -77,7 +77,7 @@ impl DelayedRecovery {
     /// ```
     ///
     /// the second by Lagrange's inversion of `c = xi Psi^(-1/m)`. Cost: about `order^4/48` products of
-    /// integers and `order^3/2` of fractions; order 60 takes a tenth of a second.
+    /// integers and `order^3/2` of fractions; order 60 takes half a second.
     ///
     /// # Examples
     ///
