@@ -13,6 +13,7 @@ pub mod data_files;
 pub mod ends;
 pub mod exports;
 pub mod f64_functions;
+pub mod parsers;
 pub mod parts;
 pub mod random;
 pub mod sandbox;

@@ -7,6 +7,7 @@ use crate::data_files::DataFiles;
 use crate::ends::Ends;
 use crate::exports::Exports;
 use crate::f64_functions::F64Functions;
+use crate::parsers::Parsers;
 use crate::random::Source;
 use std::path::PathBuf;
 
@@ -46,6 +47,7 @@ pub fn all(command: PathBuf) -> Vec<Box<dyn Part>> {
     vec![
         Box::new(Certified),
         Box::new(F64Functions),
+        Box::new(Parsers),
         Box::new(Commands::new(command.clone())),
         Box::new(DataFiles::new(command.clone())),
         Box::new(Exports::new(command.clone())),

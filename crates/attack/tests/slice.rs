@@ -49,3 +49,8 @@ fn exports() {
 fn commands() {
     slice_of("commands");
 }
+
+#[test]
+fn parsers() {
+    slice_of("parsers");
+}
