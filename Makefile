@@ -3,7 +3,7 @@ CARGO ?= cargo
 .DEFAULT_GOAL := help
 SIZE ?= minutes
 SEED ?= 1
-.PHONY: help table tables test test-python test-page test-forms test-latex attack test-tools tools fmt clippy doc package publish-dry-run msrv book bench bench-python bench-peers mutants rooms test-codes clean
+.PHONY: help table tables test test-python test-page test-forms test-latex attack fuzz test-tools tools fmt clippy doc package publish-dry-run msrv book bench bench-python bench-peers mutants rooms test-codes clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-15s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -63,6 +63,12 @@ attack: tools test-tools ## attack every promise; PARTS="f64 commands", SIZE=sli
 	target/release/restitution-attack $(PARTS) --size $(SIZE) --seed $(SEED) $(if $(CASES),--cases $(CASES))
 	$(CARGO) build --profile test --locked --quiet --package restitution-cli --package restitution-attack
 	target/debug/restitution-attack $(PARTS) --size slice --seed $(SEED)
+
+PARSERS ?= number quantity law list data
+SECONDS ?= 60
+fuzz: tools ## coverage-guided texts for the readers, from libFuzzer; PARSERS="law data", SECONDS=60 for each
+	@command -v cargo-fuzz >/dev/null || $(CARGO) install cargo-fuzz --locked
+	@for parser in $(PARSERS); do $(CARGO) fuzz run --sanitizer none $$parser -- -max_total_time=$(SECONDS) -max_len=4096 -timeout=30 || exit; done
 
 fmt:
 	$(CARGO) fmt --all --check

@@ -171,18 +171,14 @@ impl Ball {
     /// Returns `x^n`; the whole line where a negative power meets zero.
     #[must_use]
     pub fn powi(&self, n: i64) -> Self {
+        let power = n.unsigned_abs();
         let mut result = Self::from_integer(1, self.prec());
-        let mut base = self.clone();
-        let mut left = n.unsigned_abs();
-        while left > 0 {
-            if left & 1 == 1 {
-                result *= &base;
-            }
-            left >>= 1;
-            if left > 0 {
-                base = &base * &base;
+        for bit in (0..u64::BITS - power.leading_zeros()).rev() {
+            result = &result * &result;
+            if power >> bit & 1 == 1 {
+                result *= self;
             }
         }
-        if n < 0 { Self::from_integer(1, self.prec()) / result } else { result }
+        if n.is_negative() { Self::from_integer(1, self.prec()) / result } else { result }
     }
 }
