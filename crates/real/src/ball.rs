@@ -159,7 +159,7 @@ impl Ball {
         } else {
             Float::with_val_round(RADIUS_BITS, &self.mid - &self.rad, Round::Down).0
         };
-        if !least.is_finite() || least < 0 {
+        if !least.is_finite() || least.is_sign_negative() {
             least.assign(0);
         }
         least
@@ -195,8 +195,7 @@ impl Ball {
         if self.rad.is_infinite() {
             return true;
         }
-        let (low, high) = (self.exact_end(-1), self.exact_end(1));
-        let (other_low, other_high) = (other.exact_end(-1), other.exact_end(1));
+        let ([low, high], [other_low, other_high]) = (self.exact_ends(), other.exact_ends());
         other.is_finite() && low <= other_low && other_high <= high
     }
 
@@ -206,7 +205,8 @@ impl Ball {
             return true;
         }
         let value = rug_rational(value);
-        self.exact_end(-1) <= value && value <= self.exact_end(1)
+        let [low, high] = self.exact_ends();
+        low <= value && value <= high
     }
 
     /// Whether the two balls have a point in common.
@@ -214,15 +214,13 @@ impl Ball {
         if !self.is_finite() || !other.is_finite() {
             return true;
         }
-        self.exact_end(-1) <= other.exact_end(1) && other.exact_end(-1) <= self.exact_end(1)
+        let ([low, high], [other_low, other_high]) = (self.exact_ends(), other.exact_ends());
+        low <= other_high && other_low <= high
     }
 
     /// Returns a ball around both, as [`Ball::between`] does.
     pub fn union(&self, other: &Self) -> Self {
-        if !self.is_finite() || !other.is_finite() {
-            return Self::whole_line(self.prec().max(other.prec()));
-        }
-        // Not with Float::min and max, which round what they take from the other.
+        // Not with Float::min and max, which round what they take from the other. Infinite ends have no middle: the whole line.
         let [low, high] = [[self.lower(), other.lower()], [self.upper(), other.upper()]];
         let low = if low[0] <= low[1] { &low[0] } else { &low[1] };
         let high = if high[0] >= high[1] { &high[0] } else { &high[1] };
@@ -252,7 +250,7 @@ impl Ball {
             return None;
         }
         match (self.mid.get_exp(), self.rad.get_exp()) {
-            (Some(mid), Some(rad)) if self.is_finite() => Some(i64::from(mid) - i64::from(rad) - 1),
+            (Some(mid), Some(rad)) => Some(i64::from(mid) - i64::from(rad) - 1),
             _ => Some(i64::MIN),
         }
     }
@@ -262,10 +260,11 @@ impl Ball {
         self.mid.to_f64()
     }
 
-    /// One end of the ball as an exact rational number: `midpoint + side * radius`.
-    fn exact_end(&self, side: i32) -> Rational {
+    /// Both ends of a bounded ball as exact rational numbers.
+    fn exact_ends(&self) -> [Rational; 2] {
         let exact = |x: &Float| x.to_rational().unwrap_or_default();
-        exact(&self.mid) + exact(&self.rad) * side
+        let (mid, rad) = (exact(&self.mid), exact(&self.rad));
+        [Rational::from(&mid - &rad), mid + rad]
     }
 
     pub(crate) fn constant(n: u32) -> Self {

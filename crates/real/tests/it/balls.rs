@@ -120,6 +120,9 @@ fn containment_and_overlap_are_exact() {
     assert!(line.contains_rational(&rational(1e300)));
     assert!(unit.overlaps(&ball(1.5, 0.5)) && !unit.overlaps(&ball(1.5 + tiny, 0.5)));
     assert!(unit.overlaps(&ball(-1.5, 0.5)) && !unit.overlaps(&ball(-1.5 - tiny, 0.5)));
+    let far = ball(5.0, 1.0);
+    assert!(far.overlaps(&line) && line.overlaps(&far) && !far.overlaps(&unit));
+    assert!(!far.union(&line).is_finite() && !line.union(&far).is_finite() && !line.union(&line).is_finite());
     assert!(unit.overlaps(&line) && line.overlaps(&unit) && unit.overlaps(&ball(0.1, 0.1)));
     assert!(unit.contains_zero() && !ball(1.0 + tiny, 1.0).contains_zero() && ball(1.0, 1.0).contains_zero());
     assert!(ball(-1.0, 1.0).contains_zero() && ball(-1.0 - tiny, 1.0).is_negative());
