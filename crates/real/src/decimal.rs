@@ -8,7 +8,7 @@ use rug::{Float, Integer};
 /// Half of a 2^-30th of a unit: a ball as narrow as this, seen from the last digit, fails only at a tie.
 const TIE: f64 = 1.0 / (1u64 << 31) as f64;
 /// Decimal exponents up to which powers of ten are exact integers; beyond, they are balls.
-const EXACT_POWERS: u64 = 1 << 16;
+const EXACT_POWERS: u64 = 65_536;
 
 impl Ball {
     /// Returns the value rounded to `digits` significant decimals, if the ball proves them.
@@ -63,7 +63,7 @@ impl Ball {
         // Near a power of ten this may be off by a few, which the number of digits found tells.
         let (mantissa, exponent) = self.mid.to_f64_exp();
         let logarithm = mantissa.abs().log10() + f64::from(exponent) * std::f64::consts::LOG10_2;
-        let mut decade = logarithm.floor() as i64 + 1;
+        let mut decade = logarithm.ceil() as i64;
         loop {
             let shift = i64::try_from(digits).ok()? - decade;
             let (nearest, distance, error) = self.in_units(shift, digits)?;

@@ -4,7 +4,7 @@ use crate::operands::{Random, cases, exact, half_unit, inside, not_wider};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use restitution_real::Ball;
-use restitution_real::convert::{big_integer, rug_integer, rug_rational};
+use restitution_real::convert::{big_integer, big_rational, rug_integer, rug_rational};
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
 
@@ -162,6 +162,7 @@ fn conversions_are_exact_both_ways() {
             assert_eq!((rug_integer(&ours), big_integer(&theirs)), (theirs.clone(), ours.clone()));
             let fraction = BigRational::new(ours, BigInt::from(random.next() | 1));
             assert_eq!(rug_rational(&fraction).to_string(), fraction.to_string());
+            assert_eq!(big_rational(&rug_rational(&fraction)), fraction);
         }
     }
 }
