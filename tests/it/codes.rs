@@ -249,8 +249,8 @@ fn the_forces_of_the_sources_rebound_as_promised() {
 
 #[test]
 fn constant_codes_come_back_or_refuse() {
-    use ConstantCode::{Chrono, DemEngine, Kratos, Lammps, Lethe, Liggghts, Mfix, TrixiParticles};
-    for code in [Lammps, Liggghts, Chrono, DemEngine, Lethe, Mfix, Kratos, TrixiParticles] {
+    use ConstantCode::{Chrono, DemEngine, Kratos, Lammps, Lethe, Liggghts, Mfix, TrixiParticles, Yade};
+    for code in [Lammps, Liggghts, Chrono, DemEngine, Lethe, Mfix, Kratos, TrixiParticles, Yade] {
         for end in code.ends() {
             for k in 4..99 {
                 let wanted = f64::from(k) / 100.0;

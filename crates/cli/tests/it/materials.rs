@@ -235,6 +235,7 @@ fn codes_of_one_coefficient_are_told_what_they_need() {
         ("kratos", "COEFFICIENT_OF_RESTITUTION=0.70022742", 0.7),
         ("chrono-constant", "restitution=0.7", 0.71820),
         ("trixi-particles", "damping_coefficient=-0.126123682", 0.7),
+        ("yade-constant", "betan=0.1", 0.724674),
     ] {
         let out = succeed(&format!("material --from-code {code} --input {input} --format csv"));
         assert!((value(&out, "epsilon") - epsilon).abs() < 6e-6 && out.lines().count() == 2, "{code}: {out}");
@@ -251,6 +252,37 @@ fn codes_of_one_coefficient_are_told_what_they_need() {
         fail(&format!("{GLASS} --measured 1,0.5 --against plane --code trixi-particles"))
             .1
             .contains("leave --against out")
+    );
+}
+
+#[test]
+fn lines_that_were_only_read_say_so() {
+    let said = |code: &str| succeed(&format!("{GLASS} --measured 50cm/s,0.7 --code {code}"));
+    for code in ["mercury", "chrono", "chrono-constant", "dem-engine", "lethe", "mfix", "trixi-particles"] {
+        assert!(said(code).contains("read in the source (") && said(code).contains("), not run"), "{code}");
+    }
+    for code in [
+        "lammps",
+        "lammps-hertz-history",
+        "lammps-constant",
+        "liggghts",
+        "liggghts-constant",
+        "yade",
+        "yade-constant",
+        "esys",
+        "kratos",
+    ] {
+        assert!(!said(code).contains("not run"), "{code}");
+    }
+    assert!(
+        said("yade-constant").contains("Ip2_FrictMat_FrictMat_MindlinPhys(betan=0.11156629)"),
+        "{}",
+        said("yade-constant")
+    );
+    assert!(
+        fail(&format!("{GLASS} --measured 50cm/s,0.7 --code yade-constant --end zero-compression"))
+            .1
+            .contains("zero force")
     );
 }
 

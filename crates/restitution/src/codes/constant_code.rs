@@ -22,10 +22,11 @@ const KRATOS_RANGE: (f64, f64) = (0.001, 0.999);
 /// Lethe            zeta = 1.8257/sqrt(5 * 0.66665) beta(e), with pi^2 = 9.8696 in beta
 /// MFiX             zeta = 2/sqrt(5) beta(e): that of a linear spring, so that e comes out too large
 /// Kratos           zeta = 2 sqrt(3/10) gamma(e), gamma the fit of Thornton, Cummins and Cleary (2013) for the end at zero force
+/// YADE             zeta = 2 sqrt(3/10) betan
 /// TrixiParticles   zeta = -2/sqrt(5) damping_coefficient: its dashpot pushes along the relative velocity
 /// ```
 ///
-/// LAMMPS, LIGGGHTS and Kratos were run; the others were read in their sources (docs/codes.md).
+/// LAMMPS, LIGGGHTS, YADE and Kratos were run; the others were read in their sources (docs/codes.md).
 ///
 /// # Examples
 ///
@@ -59,6 +60,8 @@ pub enum ConstantCode {
     Mfix,
     /// Kratos, `DEM_D_Hertz_viscous_Coulomb`.
     Kratos,
+    /// YADE, `Ip2_FrictMat_FrictMat_MindlinPhys`, whose input `betan` is a damping ratio.
+    Yade,
     /// TrixiParticles, `HertzContactModel`, whose input is no coefficient but a damping ratio.
     TrixiParticles,
 }
@@ -74,6 +77,7 @@ impl ConstantCode {
             Self::Lethe => "Lethe",
             Self::Mfix => "MFiX",
             Self::Kratos => "Kratos",
+            Self::Yade => "YADE",
             Self::TrixiParticles => "TrixiParticles",
         }
     }
@@ -82,7 +86,7 @@ impl ConstantCode {
     pub fn ends(self) -> &'static [End] {
         match self {
             Self::Lammps | Self::Liggghts => &[End::ZeroCompression, End::ZeroForce],
-            Self::Chrono | Self::Kratos => &[End::ZeroForce],
+            Self::Chrono | Self::Kratos | Self::Yade => &[End::ZeroForce],
             Self::DemEngine | Self::Lethe | Self::Mfix | Self::TrixiParticles => &[End::ZeroCompression],
         }
     }
@@ -91,14 +95,17 @@ impl ConstantCode {
     ///
     /// # Errors
     ///
-    /// [`MaterialError::Epsilon`] unless `0 < input < 1`; for TrixiParticles [`MaterialError::Negative`] for a damping ratio above 0,
-    /// with which its spheres part faster than they met.
+    /// [`MaterialError::Epsilon`] unless `0 < input < 1`; [`MaterialError::Negative`] for a damping ratio of YADE below 0, and for one of
+    /// TrixiParticles above 0, with which its spheres part faster than they met.
     pub fn law(self, input: f64) -> Result<ConstantRestitution, MaterialError> {
         if self == Self::TrixiParticles {
             return Ok(ConstantRestitution {
                 zeta: 2.0 / 5.0_f64.sqrt()
                     * at_least_zero("damping_coefficient with its sign changed", -input)?,
             });
+        }
+        if self == Self::Yade {
+            return ConstantRestitution::of_betan(input);
         }
         let exact = ConstantRestitution::of_epsilon(input)?;
         Ok(match self {
@@ -122,6 +129,7 @@ impl ConstantCode {
     pub fn input(self, law: &ConstantRestitution) -> Result<f64, MaterialError> {
         let zeta = law.zeta;
         let input = match self {
+            Self::Yade => return Ok(law.betan()),
             Self::TrixiParticles => return Ok(-0.5 * 5.0_f64.sqrt() * zeta),
             Self::Lethe => {
                 let [pi_squared, stiffness, damping] = LETHE;

@@ -39,6 +39,9 @@ pub(super) fn lines(
     if code == ConstantCode::Lammps {
         return Ok(lammps(told, contact, wall, limited));
     }
+    if code == ConstantCode::Yade {
+        return Ok(format!("Ip2_FrictMat_FrictMat_MindlinPhys(betan={told})\n"));
+    }
     let (one, other) = materials(request, contact, code)?;
     Ok(match code {
         ConstantCode::Liggghts => liggghts(told, one, other, wall, limited),

@@ -125,6 +125,7 @@ impl Request<'_> {
         } else if code.multiplies_mass() && pairs.is_empty() {
             said.push("the damping below multiplies the mass: it is right for this m_eff alone".to_owned());
         }
+        said.extend(code.read_not_run().map(|file| format!("read in the source ({file}), not run")));
         Ok(said.iter().map(|line| format!("{sign} {line}\n")).collect())
     }
 

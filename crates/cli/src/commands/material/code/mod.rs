@@ -31,6 +31,8 @@ pub(in crate::commands) enum Code {
     LiggghtsConstant,
     /// YADE, Ip2_FrictMat_FrictMat_MindlinPhys with en and vn.
     Yade,
+    /// YADE, Ip2_FrictMat_FrictMat_MindlinPhys with betan: the same coefficient at every velocity, any version.
+    YadeConstant,
     /// MercuryDPM, HertzianBSHPViscoelastic.
     Mercury,
     /// ESyS-Particle, HertzianViscoElasticPrms.
@@ -59,6 +61,7 @@ impl Code {
         Some(match self {
             Self::LammpsConstant => ConstantCode::Lammps,
             Self::LiggghtsConstant => ConstantCode::Liggghts,
+            Self::YadeConstant => ConstantCode::Yade,
             Self::ChronoConstant => ConstantCode::Chrono,
             Self::DemEngine => ConstantCode::DemEngine,
             Self::Lethe => ConstantCode::Lethe,
@@ -77,6 +80,19 @@ impl Code {
     /// Whether it has the unit systems of LAMMPS.
     fn has_units(self) -> bool {
         matches!(self, Self::Lammps | Self::LammpsHertzHistory | Self::Liggghts)
+    }
+
+    /// What the lines rest on, if the code was not run on them (docs/codes.md).
+    fn read_not_run(self) -> Option<&'static str> {
+        match self {
+            Self::Mercury => Some("HertzianBSHPViscoelasticSpecies"),
+            Self::Chrono | Self::ChronoConstant => Some("ChSystemSMC, ChContactForceModel Hertz"),
+            Self::DemEngine => Some("FrictionlessHertzianForceModel.cu"),
+            Self::Lethe => Some("particle_particle_contact_force.h"),
+            Self::Mfix => Some("check_solids_dem.f and calc_force_dem.f of 21.3"),
+            Self::TrixiParticles => Some("contact_models.jl of 0.5.4"),
+            _ => None,
+        }
     }
 
     /// What begins a remark.
@@ -117,6 +133,7 @@ impl Code {
             Self::LammpsHertzHistory => &["Kn", "gamma_n"],
             Self::Liggghts => &["kn", "gamman", "limitForce", "coefficientRestitution"],
             Self::Yade => &["en", "vn", "young", "poisson", "betan"],
+            Self::YadeConstant => &["betan"],
             Self::Mercury => &["effectiveElasticModulus", "dissipation"],
             Self::Esys => &["A", "E", "nu"],
             Self::Chrono => &["kn", "gn"],
