@@ -25,6 +25,7 @@ mod house;
 mod identities;
 mod interpolant;
 mod laws;
+mod lookup;
 mod materials;
 mod numbers;
 mod package;

@@ -12,6 +12,18 @@ pub enum DirectError {
         /// The damping that was given, to a few digits.
         u: String,
     },
+    /// An impact velocity that is negative.
+    #[error("the impact velocity is negative: give its size")]
+    NegativeVelocity,
+    /// A velocity at which the damping is infinite.
+    #[error("at velocity 0 the damping of this law is infinite: give a positive velocity")]
+    InfiniteDamping,
+    /// A constant of the bodies that must be positive.
+    #[error("{what} must be positive")]
+    NotPositive {
+        /// What must be positive.
+        what: &'static str,
+    },
     /// No step could be proved any more at this precision.
     #[error(
         "no step of the integration could be proved below a length of {length}: ask for other digits or a less extreme u"

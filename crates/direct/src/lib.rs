@@ -8,6 +8,7 @@
 mod collision;
 mod compression;
 mod coordinate;
+mod damping;
 mod dashpot;
 mod end;
 mod envelope;
@@ -16,6 +17,7 @@ mod exit;
 mod field;
 mod fixed;
 mod interpolant;
+mod interpolation;
 mod online;
 mod overdamping;
 mod phase_arc;
@@ -33,6 +35,7 @@ mod turning_series;
 mod zero_force;
 
 pub use collision::Collision;
+pub use damping::{Damping, EqualSpheres};
 pub use end::End;
 pub use error::DirectError;
 pub use interpolant::{Interpolant, Variable};

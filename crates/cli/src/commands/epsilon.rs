@@ -1,6 +1,7 @@
 //! `restitution epsilon`: the coefficient of restitution by certified direct integration.
 
 mod damping;
+mod lookup;
 mod refusals;
 
 use crate::args::{EndArgs, EndOfContact, LawArgs, count};
@@ -10,10 +11,11 @@ use crate::progress::Progress;
 use crate::units::{self, Quantity};
 use crate::{Cell, CliError, OutputArgs, Table};
 pub(super) use damping::DampingArgs;
-use damping::Source;
+use lookup::in_si;
+use num_traits::Signed;
 use rayon::prelude::*;
 use refusals::Refusals;
-use restitution_direct::{Collision, DirectError, End, saturation_radius, saturation_speed};
+use restitution_direct::{Collision, Damping, DirectError, End, saturation_radius, saturation_speed};
 use restitution_real::Ball;
 use restitution_table::Format;
 
@@ -99,8 +101,8 @@ impl EpsilonArgs {
         let progress = Progress::steps("collisions", points.len() as u64);
         let values: Vec<Result<Ball, DirectError>> = points
             .par_iter()
-            .map(|(_, source)| {
-                let value = self.value(&collision, source);
+            .map(|(_, damping)| {
+                let value = self.value(&collision, damping);
                 progress.advance(1);
                 value
             })
@@ -128,6 +130,9 @@ impl EpsilonArgs {
             table.push(vec![Cell::Digits(name), cell]);
         }
         table.note("every digit is proved: direct integration with bounded remainders");
+        if lookup {
+            table.note(self.interpolation(&collision)?);
+        }
         self.answer(&table, &refusals, first)
     }
 
@@ -145,21 +150,24 @@ impl EpsilonArgs {
     }
 
     /// What was asked for, as typed and as a damping to any precision.
-    fn points(&self) -> Result<Vec<(String, Source)>, CliError> {
+    fn points(&self) -> Result<Vec<(String, Damping)>, CliError> {
         if self.velocity.is_empty() {
-            let exact = |u: &Exact| (u.to_string(), Source::Exact(u.value().clone()));
+            let exact = |u: &Exact| (u.to_string(), Damping::exact(u.value()));
             return Ok(list::flat(&self.u).iter().map(exact).collect());
         }
-        let from = |g: &Quantity| Ok((g.to_string(), self.damping.source(g, &self.law.law)?));
+        let from = |g: &Quantity| {
+            if g.si().is_negative() {
+                return Err(CliError::usage(format!("the impact velocity {g} is negative: give its size")));
+            }
+            Ok((g.to_string(), self.damping.at(g.si(), &self.law.law)?))
+        };
         list::flat(&self.velocity).iter().map(from).collect()
     }
 
-    fn value(&self, collision: &Collision, source: &Source) -> Result<Ball, DirectError> {
-        match (self.quantity, source) {
-            (Printed::Epsilon, Source::Exact(u)) => collision.epsilon(u, self.digits),
-            (Printed::Loss, Source::Exact(u)) => collision.one_minus_epsilon(u, self.digits),
-            (Printed::Epsilon, _) => collision.epsilon_of(|prec| source.at(prec), self.digits),
-            (Printed::Loss, _) => collision.one_minus_epsilon_of(|prec| source.at(prec), self.digits),
+    fn value(&self, collision: &Collision, damping: &Damping) -> Result<Ball, DirectError> {
+        match self.quantity {
+            Printed::Epsilon => collision.epsilon_at(damping, self.digits),
+            Printed::Loss => collision.one_minus_epsilon_at(damping, self.digits),
         }
     }
 
@@ -182,12 +190,6 @@ impl EpsilonArgs {
             || CliError::failure(format!("{} digits could not be proved: ask for fewer", self.digits));
         ball.to_digits(self.digits).ok_or_else(unproved)
     }
-}
-
-/// A velocity as a number in m/s.
-fn in_si(text: &str) -> Result<String, CliError> {
-    let velocity = units::velocity(text).map_err(CliError::usage)?.to_f64();
-    Ok(if (1e-4..1e6).contains(&velocity) { velocity.to_string() } else { format!("{velocity:e}") })
 }
 
 /// A request that no collision can meet is at fault itself; everything else is a failure.

@@ -5,8 +5,8 @@ use crate::args::{EndArgs, EndOfContact};
 use crate::commands::epsilon::DampingArgs;
 use crate::output::TargetArgs;
 use crate::progress;
-use crate::units;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use num_rational::BigRational;
 use restitution::End;
 use restitution_export::{
     Beyond, CharacteristicVelocity, ExportError, LANGUAGES, Language, Listing, Reference, Request,
@@ -116,9 +116,9 @@ impl ExportArgs {
         if !self.damping.given() {
             return Ok(None);
         }
-        let unit = units::velocity("1m/s").map_err(CliError::failure)?;
-        let source = self.damping.source(&unit, &ForceLaw::viscoelastic_spheres())?;
-        let u_at_unit_velocity = source.at(128).mid().clone();
+        let unit_velocity = BigRational::from_integer(1.into());
+        let damping = self.damping.at(&unit_velocity, &ForceLaw::viscoelastic_spheres())?;
+        let u_at_unit_velocity = damping.at(128).mid().clone();
         let velocity = CharacteristicVelocity::from_u(&u_at_unit_velocity, self.damping.to_string())?;
         Ok(Some(velocity))
     }

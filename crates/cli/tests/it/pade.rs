@@ -69,6 +69,15 @@ fn tables_to_look_up_are_numbers_in_si() {
     let rows = out.lines().filter(|line| !line.starts_with('#')).collect::<Vec<_>>();
     assert_eq!(rows, ["0.01 0.38410920", "1 0.073882358"], "{out}");
     assert!(out.contains("# velocity_in_m_per_s epsilon\n"));
+    assert!(out.contains("neighbouring rows is off by at most 2.1e-1 (docs/codes.md)"), "{out}");
+    let fine = succeed("epsilon --velocity 1cm/s:1m/s:40log --g-star 1cm/s --digits 8 --format lookup");
+    assert!(fine.contains("is off by at most 1.8e-4"), "{fine}");
+    let coarse_digits =
+        succeed("epsilon --velocity 1cm/s:1m/s:40log --g-star 1cm/s --digits 3 --format lookup");
+    assert!(coarse_digits.contains("is off by at most 1.2e-3"), "{coarse_digits}");
+    assert!(
+        succeed("epsilon --velocity 1cm/s --g-star 1cm/s --format lookup").contains("nothing to interpolate")
+    );
     for line in ["epsilon --u 1e999999999", "epsilon --u 1 --law 1e999999999,1"] {
         assert!(fail(line).1.contains("a number has more than 10000 digits"), "{line}");
     }

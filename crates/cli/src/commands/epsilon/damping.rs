@@ -1,12 +1,12 @@
-//! From a velocity to the damping `u`, to any precision.
+//! Arguments that say how strongly bodies dissipate.
 
 use crate::CliError;
 use crate::exact::{Exact, at_least_zero};
 use crate::units::{self, Quantity};
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::Signed;
+use restitution_direct::{Damping, EqualSpheres};
 use restitution_law::ForceLaw;
-use restitution_real::Ball;
 use std::fmt;
 
 /// Arguments that say how strongly the bodies dissipate.
@@ -34,46 +34,6 @@ pub(in crate::commands) struct DampingArgs {
     radius: Option<Quantity>,
 }
 
-/// A damping known to any precision.
-#[derive(Clone, Debug)]
-pub(in crate::commands) enum Source {
-    /// A rational number.
-    Exact(BigRational),
-    /// `(s^p)/|C_1|` with the scaled velocity `g/g*`.
-    Scaled { ratio: BigRational, law: ForceLaw },
-    /// `pi^(-2/5) base^(1/5)` with a rational base, for two equal spheres.
-    Material { base: BigRational },
-}
-
-impl Source {
-    /// Encloses the damping at `prec` bits.
-    pub(in crate::commands) fn at(&self, prec: u32) -> Ball {
-        let wide = prec + 32;
-        match self {
-            Self::Exact(u) => Ball::from_rational(u, prec),
-            Self::Scaled { ratio, .. } if ratio.is_zero() => Ball::zero().with_prec(prec),
-            Self::Scaled { ratio, law } => {
-                Ball::from_rational(ratio, wide).pow(&law.velocity_exponent()) / first_loss(law, wide)
-            }
-            Self::Material { base } if base.is_zero() => Ball::zero().with_prec(prec),
-            Self::Material { base } => {
-                (Ball::from_rational(base, wide) / Ball::pi(wide).powi(2)).fifth_root()
-            }
-        }
-    }
-}
-
-/// `-C_1 = 2 ((a+1)/2)^r B(r, 3/2)/(a+1)`, `r = (gamma+1)/(a+1)`: what defines `g*`.
-fn first_loss(law: &ForceLaw, prec: u32) -> Ball {
-    let step = law.elastic_step();
-    let two = BigRational::from_integer(2.into());
-    let exponent = law.damping_step() / &step;
-    let beta = Ball::beta(&exponent, &BigRational::new(3.into(), 2.into()), prec);
-    Ball::from_rational(&(&step / &two), prec).pow(&exponent)
-        * beta
-        * Ball::from_rational(&(two / step), prec)
-}
-
 impl fmt::Display for DampingArgs {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(g_star) = &self.g_star {
@@ -96,60 +56,45 @@ impl DampingArgs {
         self.g_star.is_some() || self.dissipative_constant.is_some()
     }
 
-    /// The damping at one impact velocity.
-    pub(in crate::commands) fn source(
-        &self,
-        velocity: &Quantity,
-        law: &ForceLaw,
-    ) -> Result<Source, CliError> {
-        let g = velocity.si();
-        if g.is_negative() {
-            return Err(CliError::usage(format!(
-                "the impact velocity {velocity} is negative: give its size"
-            )));
-        }
+    /// The damping at an impact velocity in m/s.
+    ///
+    /// # Errors
+    ///
+    /// Usage for a velocity that cannot be, and for what is missing.
+    pub(in crate::commands) fn at(&self, g: &BigRational, law: &ForceLaw) -> Result<Damping, CliError> {
         if let Some(g_star) = &self.g_star {
             let g_star = positive(Some(g_star.si()), "--g-star")?;
-            let p = law.velocity_exponent();
-            if p.is_negative() && g.is_zero() {
-                return Err(CliError::usage(
-                    "at velocity 0 the damping of this law is infinite: give a positive velocity",
-                ));
-            }
-            return Ok(Source::Scaled { ratio: g / g_star, law: law.clone() });
+            return Damping::of_velocity(g, &g_star, law).map_err(CliError::usage);
         }
         if *law != ForceLaw::viscoelastic_spheres() {
             return Err(CliError::usage(
                 "a material is that of viscoelastic spheres: give --g-star with another --law",
             ));
         }
-        Ok(Source::Material { base: self.base(g)? })
+        Damping::of_equal_spheres(&self.spheres()?, g).map_err(CliError::usage)
     }
 
-    /// `u^5 pi^2` of two equal spheres: `u = (3/2) A k^(2/5) g^(1/5)`, `k = rho/m_eff`.
-    ///
-    /// ```text
-    /// rho = 2 Y sqrt(R/2)/(3 (1 - nu^2)),   m_eff = (2/3) pi R^3 density
-    /// u^5 = (3/2)^5 A^5 g Y^2/(2 pi^2 R^5 (1 - nu^2)^2 density^2)
-    /// ```
-    fn base(&self, g: &BigRational) -> Result<BigRational, CliError> {
-        let si = |q: &Option<Quantity>| q.as_ref().map(|q| q.si().clone());
-        let a = positive(si(&self.dissipative_constant).as_ref(), "--dissipative-constant")?;
-        let young = positive(si(&self.young).as_ref(), "--young")?;
-        let density = positive(si(&self.density).as_ref(), "--density")?;
-        let radius = positive(si(&self.radius).as_ref(), "--radius")?;
-        let poisson = self.poisson.as_ref().map(|p| p.value().clone());
-        let strain = poisson.map(|nu| BigRational::one() - &nu * &nu);
-        let strain = positive(strain.as_ref(), "--poisson, below 1,")?;
-        let stiffness = young / (strain * density);
-        let front = num_traits::pow(BigRational::new(3.into(), 2.into()) * a / radius, 5);
-        Ok(front * g * &stiffness * &stiffness / BigRational::from_integer(2.into()))
+    fn spheres(&self) -> Result<EqualSpheres, CliError> {
+        let si = |quantity: &Option<Quantity>, name| positive(quantity.as_ref().map(Quantity::si), name);
+        let poisson = self.poisson.as_ref().map(|poisson| poisson.value());
+        let one = BigRational::from_integer(1.into());
+        Ok(EqualSpheres {
+            dissipative_constant: si(&self.dissipative_constant, "--dissipative-constant")?,
+            young: si(&self.young, "--young")?,
+            density: si(&self.density, "--density")?,
+            radius: si(&self.radius, "--radius")?,
+            poisson: poisson
+                .filter(|poisson| **poisson < one)
+                .cloned()
+                .ok_or_else(|| missing("--poisson, below 1,"))?,
+        })
     }
 }
 
 fn positive(value: Option<&BigRational>, name: &str) -> Result<BigRational, CliError> {
-    let value = value.filter(|v| v.is_positive()).cloned();
-    value.ok_or_else(|| {
-        CliError::usage(format!("the damping is not known: give {name} with a positive value"))
-    })
+    value.filter(|value| value.is_positive()).cloned().ok_or_else(|| missing(name))
+}
+
+fn missing(name: &str) -> CliError {
+    CliError::usage(format!("the damping is not known: give {name} with a positive value"))
 }

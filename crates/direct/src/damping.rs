@@ -1,0 +1,166 @@
+use crate::collision::Collision;
+use crate::error::DirectError;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+use restitution_law::ForceLaw;
+use restitution_real::Ball;
+
+/// Bits by which intermediate results are finer.
+const GUARD_BITS: u32 = 32;
+
+/// The damping parameter `u` of one collision, to any precision.
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_direct::{Damping, DirectError};
+/// use restitution_law::ForceLaw;
+///
+/// let ratio = |n: i64, d: i64| BigRational::new(n.into(), d.into());
+/// let spheres = ForceLaw::viscoelastic_spheres();
+/// let at_g_star = Damping::of_velocity(&ratio(1, 100), &ratio(1, 100), &spheres)?;
+/// assert_eq!(at_g_star.at(100).to_digits(20).as_deref(), Some("0.86696519334345120796")); // 1/|C_1|
+///
+/// let backwards = Damping::of_velocity(&ratio(-1, 100), &ratio(1, 100), &spheres);
+/// assert_eq!(backwards.unwrap_err(), DirectError::NegativeVelocity);
+/// # Ok::<(), DirectError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Damping(Source);
+
+#[derive(Clone, Debug)]
+enum Source {
+    Exact(BigRational),
+    /// `(g/g*)^p/|C_1|`.
+    Scaled {
+        ratio: BigRational,
+        law: ForceLaw,
+    },
+    /// `u^5 pi^2`.
+    EqualSpheres {
+        power: BigRational,
+    },
+}
+
+/// Two equal viscoelastic spheres, in SI units.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EqualSpheres {
+    /// The dissipative constant `A`.
+    pub dissipative_constant: BigRational,
+    /// Young's modulus.
+    pub young: BigRational,
+    /// Poisson's ratio.
+    pub poisson: BigRational,
+    /// The mass density.
+    pub density: BigRational,
+    /// The radius of each.
+    pub radius: BigRational,
+}
+
+impl Damping {
+    /// Returns a damping that is a rational number.
+    pub fn exact(u: &BigRational) -> Self {
+        Self(Source::Exact(u.clone()))
+    }
+
+    /// Returns the damping at an impact velocity, `u = (g/g*)^p/|C_1|`: eq. (31) of \[RPBS1999\] for any law.
+    ///
+    /// # Errors
+    ///
+    /// [`DirectError::NegativeVelocity`] if `g < 0`, [`DirectError::NotPositive`] unless `g* > 0`,
+    /// [`DirectError::InfiniteDamping`] for `g = 0` if `p < 0`.
+    pub fn of_velocity(g: &BigRational, g_star: &BigRational, law: &ForceLaw) -> Result<Self, DirectError> {
+        if g.is_negative() {
+            return Err(DirectError::NegativeVelocity);
+        }
+        let g_star = positive("the characteristic velocity", g_star)?;
+        if law.velocity_exponent().is_negative() && g.is_zero() {
+            return Err(DirectError::InfiniteDamping);
+        }
+        Ok(Self(Source::Scaled { ratio: g / g_star, law: law.clone() }))
+    }
+
+    /// Returns the damping of two equal spheres at an impact velocity, eqs. (2) and (14) of \[RPBS1999\].
+    ///
+    /// ```text
+    /// rho = 2 Y sqrt(R/2)/(3 (1 - nu^2)),   m_eff = (2/3) pi R^3 density,   u = (3/2) A (rho/m_eff)^(2/5) g^(1/5)
+    /// u^5 = (3/2)^5 A^5 g Y^2/(2 pi^2 R^5 (1 - nu^2)^2 density^2)
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`DirectError::NegativeVelocity`] if `g < 0`, [`DirectError::NotPositive`] for a constant that is not positive, and for
+    /// `1 - nu^2`.
+    pub fn of_equal_spheres(spheres: &EqualSpheres, g: &BigRational) -> Result<Self, DirectError> {
+        if g.is_negative() {
+            return Err(DirectError::NegativeVelocity);
+        }
+        let a = positive("the dissipative constant", &spheres.dissipative_constant)?;
+        let young = positive("Young's modulus", &spheres.young)?;
+        let density = positive("the density", &spheres.density)?;
+        let radius = positive("the radius", &spheres.radius)?;
+        let strain = BigRational::one() - &spheres.poisson * &spheres.poisson;
+        let stiffness = young / (positive("1 - nu^2", &strain)? * density);
+        let front = num_traits::pow(BigRational::new(3.into(), 2.into()) * a / radius, 5);
+        let power = front * g * &stiffness * &stiffness / BigRational::from_integer(2.into());
+        Ok(Self(Source::EqualSpheres { power }))
+    }
+
+    /// Encloses `u`, computed with `prec` bits and some more.
+    pub fn at(&self, prec: u32) -> Ball {
+        let wide = prec + GUARD_BITS;
+        match &self.0 {
+            Source::Exact(u) => Ball::from_rational(u, prec),
+            Source::Scaled { ratio, .. } if ratio.is_zero() => Ball::zero().with_prec(prec),
+            Source::Scaled { ratio, law } => {
+                Ball::from_rational(ratio, wide).pow(&law.velocity_exponent()) / first_order_loss(law, wide)
+            }
+            Source::EqualSpheres { power } if power.is_zero() => Ball::zero().with_prec(prec),
+            Source::EqualSpheres { power } => {
+                (Ball::from_rational(power, wide) / Ball::pi(wide).powi(2)).fifth_root()
+            }
+        }
+    }
+}
+
+impl Collision {
+    /// As [`Collision::epsilon`], for a damping that need not be rational.
+    ///
+    /// # Errors
+    ///
+    /// As [`Collision::epsilon`].
+    pub fn epsilon_at(&self, damping: &Damping, digits: usize) -> Result<Ball, DirectError> {
+        match &damping.0 {
+            Source::Exact(u) => self.epsilon(u, digits),
+            _ => self.epsilon_of(|prec| damping.at(prec), digits),
+        }
+    }
+
+    /// As [`Collision::one_minus_epsilon`], for a damping that need not be rational.
+    ///
+    /// # Errors
+    ///
+    /// As [`Collision::epsilon`].
+    pub fn one_minus_epsilon_at(&self, damping: &Damping, digits: usize) -> Result<Ball, DirectError> {
+        match &damping.0 {
+            Source::Exact(u) => self.one_minus_epsilon(u, digits),
+            _ => self.one_minus_epsilon_of(|prec| damping.at(prec), digits),
+        }
+    }
+}
+
+/// `-C_1 = 2 ((a+1)/2)^r B(r, 3/2)/(a+1)`, `r = (gamma+1)/(a+1)`: the work of the dashpot on the undamped motion. It defines `g*`.
+fn first_order_loss(law: &ForceLaw, prec: u32) -> Ball {
+    let step = law.elastic_step();
+    let two = BigRational::from_integer(2.into());
+    let exponent = law.damping_step() / &step;
+    let beta = Ball::beta(&exponent, &BigRational::new(3.into(), 2.into()), prec);
+    Ball::from_rational(&(&step / &two), prec).pow(&exponent)
+        * beta
+        * Ball::from_rational(&(two / step), prec)
+}
+
+fn positive<'a>(what: &'static str, value: &'a BigRational) -> Result<&'a BigRational, DirectError> {
+    if value.is_positive() { Ok(value) } else { Err(DirectError::NotPositive { what }) }
+}
