@@ -4,6 +4,7 @@ use crate::Ball;
 use rug::float::Round;
 use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound, Pow};
 use rug::{Float, Integer};
+use std::cmp::Ordering;
 
 /// Half of a 2^-30th of a unit: a ball as narrow as this, seen from the last digit, fails only at a tie.
 const TIE: f64 = 1.0 / (1u64 << 31) as f64;
@@ -64,29 +65,23 @@ impl Ball {
         let (mantissa, exponent) = self.mid.to_f64_exp();
         let logarithm = mantissa.abs().log10() + f64::from(exponent) * std::f64::consts::LOG10_2;
         let mut decade = logarithm.ceil() as i64;
-        loop {
+        let (text, distance, error, shift) = loop {
             let shift = i64::try_from(digits).ok()? - decade;
             let (nearest, distance, error) = self.in_units(shift, digits)?;
-            let mut text = nearest.to_string();
-            if text.len() < digits {
-                decade -= 1;
-                continue;
+            let text = nearest.to_string();
+            match text.len().cmp(&digits) {
+                Ordering::Less => decade -= 1,
+                Ordering::Greater => decade += 1, // also where 9.99... has been rounded to 10
+                Ordering::Equal => break (text, distance, error, shift),
             }
-            if text.len() > digits {
-                decade += 1;
-                if !(text.len() == digits + 1 && text[1..].bytes().all(|digit| digit == b'0')) {
-                    continue;
-                }
-                text.truncate(digits); // 9.99... has been rounded to 10
-            }
-            let mut total = distance;
-            total.add_assign_round(&error, Round::Up);
-            if total >= 0.5 && error > TIE {
-                return None;
-            }
-            let radius = Self::new(Float::new(64), &times_power_of_ten_up(&total, -shift)?).radius_text();
-            return Some((layout(self.mid.is_sign_negative(), &text, decade, digits), radius));
+        };
+        let mut total = distance;
+        total.add_assign_round(&error, Round::Up);
+        if total >= 0.5 && error > TIE {
+            return None;
         }
+        let radius = Self::new(Float::new(64), &times_power_of_ten_up(&total, -shift)?).radius_text();
+        Some((layout(self.mid.is_sign_negative(), &text, decade, digits), radius))
     }
 
     /// Returns the radius as an upper bound with two digits, such as `1.3e-42`; `0` if exact.
@@ -101,8 +96,8 @@ impl Ball {
     /// For `V = |midpoint| 10^shift` of `digits` digits: the nearest integer, how far it is, and the radius in the
     /// same unit, both up.
     fn in_units(&self, shift: i64, digits: usize) -> Option<(Integer, Float, Float)> {
-        let needed = u32::try_from(digits.saturating_mul(10) / 3).ok()?.max(self.prec()).checked_add(96)?;
-        if shift.unsigned_abs() > EXACT_POWERS.max(8 * u64::from(needed)) {
+        let needed = u32::try_from(digits.saturating_mul(4)).ok()?.max(self.prec()).checked_add(96)?;
+        if shift.unsigned_abs() > EXACT_POWERS.max(u64::from(needed)) {
             let scaled = self.with_prec(needed) * Self::from_integer(10, needed).powi(shift);
             let (nearest, distance) = nearest_integer(&scaled.mid, 0)?;
             return Some((nearest, distance, scaled.rad));
