@@ -4,8 +4,6 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
-use restitution_series::FractionalSeries;
-use rug::Float;
 
 pub fn law(text: &str) -> ForceLaw {
     text.parse().expect("a force law")
@@ -31,13 +29,6 @@ pub fn within_a_unit(ball: &Ball, text: &str) -> bool {
     let prec = ball.prec() + 64;
     let difference = (ball.with_prec(prec) - Ball::from_rational(&value, prec)).abs();
     (Ball::from_rational(&unit, prec) - difference).is_positive()
-}
-
-/// Whether the coefficients enclose `1, 0, 0, ...`, each within `radius`.
-pub fn is_one(series: &FractionalSeries<Ball>, radius: f64) -> bool {
-    let expected = |k| Ball::from_integer(i64::from(k == 0), 64);
-    let mut coefficients = series.coefficients().iter().enumerate();
-    coefficients.all(|(k, c)| c.contains(&expected(k)) && *c.rad() <= Float::with_val(53, radius))
 }
 
 #[test]

@@ -9,8 +9,8 @@ use crate::samples::Samples;
 use crate::sections_1_and_2::closed_forms;
 use crate::true_values::{self, TrueValues};
 use num_rational::BigRational;
-use num_traits::{One, Zero};
-use restitution_real::Ball;
+use num_traits::Zero;
+use restitution_real::{Ball, Rationals};
 
 const C: &str = "restitution table --quantity C --order 4 --digits 20";
 const A: &str = "restitution table --quantity a --order 4 --digits 20";
@@ -91,15 +91,15 @@ fn a(printed: &str, truth: &TrueValues, k: usize) -> Result<Finding, AuditError>
 const NAMES: [&str; 4] = ["C1", "C2", "C3", "C4"];
 const COMPRESSIONS: [&str; 4] = ["y0", "y1", "y2", "y3"];
 
-fn compressions(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
-    Ok(Scope::new(BigRational::one()).with_all(&COMPRESSIONS, samples.fractions(4)))
+fn compressions(samples: &mut Samples) -> Result<Scope<Rationals>, AuditError> {
+    Ok(Scope::new(Rationals).with_all(&COMPRESSIONS, samples.fractions(4)))
 }
 
 /// (A29), its right side minus its left, expanded exactly for free `y_k` and `C_k`.
-fn orders(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
+fn orders(samples: &mut Samples) -> Result<Scope<Rationals>, AuditError> {
     let (y, c) = (samples.fractions(4), samples.fractions(4));
     let orders = inverse_collision(&y, &c)?;
-    let scope = Scope::new(BigRational::one()).with_all(&COMPRESSIONS, y).with_all(&NAMES, c);
+    let scope = Scope::new(Rationals).with_all(&COMPRESSIONS, y).with_all(&NAMES, c);
     Ok(scope.with_all(&["o1", "o2", "o3", "o4"], orders))
 }
 
@@ -108,7 +108,7 @@ fn solution(printed: &str) -> Result<Finding, AuditError> {
     let formulas = printed.split(';').map(right_side).collect::<Result<Vec<_>, _>>()?;
     identity("o1 = 0; o2 = 0; o3 = 0; o4 = 0", "random compressions, exactly", |samples| {
         let y = samples.fractions(4);
-        let scope = Scope::new(BigRational::one()).with_all(&COMPRESSIONS, y.iter().cloned());
+        let scope = Scope::new(Rationals).with_all(&COMPRESSIONS, y.iter().cloned());
         let c = formulas.iter().map(|formula| formula.value(&scope)).collect::<Result<Vec<_>, _>>()?;
         let mut orders = inverse_collision(&y, &c)?;
         orders.resize(4, BigRational::zero());

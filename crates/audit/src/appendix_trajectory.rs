@@ -10,6 +10,7 @@ use crate::true_values::TrueValues;
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, Zero};
+use restitution_real::Rationals;
 
 const COMMAND: &str = "restitution trajectory --damping-order 3 --time-order 11";
 
@@ -104,8 +105,8 @@ fn coefficient(id: &'static str, statement: &'static str, printed: &str) -> Clai
 
 const NAMES: [&str; 5] = ["b5", "b6", "b7", "b8", "b9"];
 
-fn scope(alpha: &BigRational, root: &BigRational) -> Scope<BigRational> {
-    Scope::new(BigRational::one()).with("alpha", alpha.clone()).with("g", root.pow(5))
+fn scope(alpha: &BigRational, root: &BigRational) -> Scope<Rationals> {
+    Scope::new(Rationals).with("alpha", alpha.clone()).with("g", root.pow(5))
 }
 
 fn count_in(unit: Unit, b: &mut [BigRational], root: &BigRational) {
@@ -117,7 +118,7 @@ fn count_in(unit: Unit, b: &mut [BigRational], root: &BigRational) {
 /// Judges formulas for the `b_k` in the unit of (A3), and if they fail, in units of `b_2`.
 fn in_either_unit(
     printed: &str,
-    point: impl Fn(&mut Samples, Unit) -> Result<Scope<BigRational>, AuditError>,
+    point: impl Fn(&mut Samples, Unit) -> Result<Scope<Rationals>, AuditError>,
 ) -> Result<Finding, AuditError> {
     let defined = identity(printed, "points", |samples| point(samples, Unit::AsDefined))?;
     if defined.verdict == Verdict::Holds {
@@ -139,7 +140,7 @@ fn in_either_unit(
 /// The orders of the left side of (A1) for `b_5 .. b_9` drawn at random.
 ///
 /// Freely chosen `b_k` stand for the unknowns of (A6); counted in units of `b_2`, so is the equation.
-fn orders(samples: &mut Samples, unit: Unit) -> Result<Scope<BigRational>, AuditError> {
+fn orders(samples: &mut Samples, unit: Unit) -> Result<Scope<Rationals>, AuditError> {
     let (alpha, root) = (samples.fraction(), samples.positive());
     let speed = root.pow(4);
     let drawn = samples.fractions(5);
@@ -154,7 +155,7 @@ fn orders(samples: &mut Samples, unit: Unit) -> Result<Scope<BigRational>, Audit
 }
 
 /// The sum of the collected orders up to `t^4` at `t = w^2`.
-fn trajectory(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
+fn trajectory(samples: &mut Samples) -> Result<Scope<Rationals>, AuditError> {
     let (alpha, root, w) = (samples.fraction(), samples.positive(), samples.positive());
     let b = collected_orders(&alpha, &root)?;
     let x = b.iter().take(9).zip(0..).map(|(b, k)| b * w.pow(k)).sum();

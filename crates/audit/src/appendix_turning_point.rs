@@ -8,8 +8,8 @@ use crate::printed_number::{Agreement, Known, digits};
 use crate::samples::Samples;
 use crate::true_values::{self, TrueValues};
 use num_rational::BigRational;
-use num_traits::{One, Zero};
-use restitution_real::Ball;
+use num_traits::Zero;
+use restitution_real::{Ball, Rationals};
 
 const COMMAND: &str = "restitution table --quantity y --order 3 --digits 20";
 
@@ -150,15 +150,13 @@ const NAMES: [[&str; 5]; 4] = [
     ["x3", "x3'", "x3''", "x3'''", "x3''''"],
 ];
 
-fn derivatives(motion: &FreeMotion) -> Scope<BigRational> {
+fn derivatives(motion: &FreeMotion) -> Scope<Rationals> {
     let rows = NAMES.iter().zip(&motion.0);
-    rows.fold(Scope::new(BigRational::one()), |scope, (names, row)| {
-        scope.with_all(names, row.iter().cloned())
-    })
+    rows.fold(Scope::new(Rationals), |scope, (names, row)| scope.with_all(names, row.iter().cloned()))
 }
 
 /// A motion whose order `n` carries `g^(n/5)`, with the names of its derivatives and `g`.
-fn motion(samples: &mut Samples) -> (FreeMotion, Scope<BigRational>) {
+fn motion(samples: &mut Samples) -> (FreeMotion, Scope<Rationals>) {
     let (motion, root) = (FreeMotion::draw(samples), samples.positive());
     let scope = derivatives(&motion).with("g", root.pow(5));
     let rows = motion.0.iter().zip(0..);
@@ -166,7 +164,7 @@ fn motion(samples: &mut Samples) -> (FreeMotion, Scope<BigRational>) {
     (FreeMotion(scaled.collect()), scope)
 }
 
-fn orders(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
+fn orders(samples: &mut Samples) -> Result<Scope<Rationals>, AuditError> {
     let (motion, scope) = motion(samples);
     let mut shift = vec![BigRational::zero()];
     shift.extend(samples.fractions(3));
@@ -175,12 +173,12 @@ fn orders(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
     Ok(scope.with_all(&["Y0", "Y1", "Y2", "Y3"], velocity))
 }
 
-fn shift(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
+fn shift(samples: &mut Samples) -> Result<Scope<Rationals>, AuditError> {
     let (motion, scope) = motion(samples);
     Ok(scope.with_all(&["t0", "t1", "t2", "t3"], motion.turning_point()))
 }
 
-fn compressed(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
+fn compressed(samples: &mut Samples) -> Result<Scope<Rationals>, AuditError> {
     let motion = FreeMotion::draw(samples);
     let compression = motion.at(&motion.turning_point(), 0);
     Ok(derivatives(&motion).with_all(&["y0", "y1", "y2", "y3"], compression))

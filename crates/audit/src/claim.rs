@@ -6,8 +6,8 @@ use crate::printed_number::{Agreement, Known, SHOWN_DIGITS, digits};
 use crate::samples::Samples;
 use crate::true_values::TrueValues;
 use num_rational::BigRational;
-use restitution_real::Ball;
-use restitution_series::{Field, ZeroTest};
+use num_traits::Zero;
+use restitution_real::{Ball, Balls, Rationals};
 use std::fmt;
 
 /// A checkable statement.
@@ -146,32 +146,32 @@ pub fn enclosed(printed: &str, ball: &Ball) -> Result<Finding, AuditError> {
     number(printed, &Known::Within(ball.clone()), None)
 }
 
-/// A number in whose field equations can be tested.
+/// A field in which equations can be tested.
 pub trait Testable: Constants {
     /// Whether a residual is zero as far as it can be told, given the size of what was subtracted.
-    fn vanishes(&self, size: &Self) -> bool;
+    fn vanishes(&self, residual: &Self::Number, size: &Self::Number) -> bool;
 }
 
-impl Testable for BigRational {
-    fn vanishes(&self, _: &Self) -> bool {
-        self.zero_test() == ZeroTest::Zero
+impl Testable for Rationals {
+    fn vanishes(&self, residual: &BigRational, _: &BigRational) -> bool {
+        residual.is_zero()
     }
 }
 
-impl Testable for Ball {
+impl Testable for Balls {
     /// Zero lies in the ball, and nothing beyond a 10^-35th of the size does.
-    fn vanishes(&self, size: &Self) -> bool {
+    fn vanishes(&self, residual: &Ball, size: &Ball) -> bool {
         let limit = size.abs_up() * rug::Float::with_val(32, 1e-35);
-        self.contains_zero() && self.abs_up() <= limit
+        residual.contains_zero() && residual.abs_up() <= limit
     }
 }
 
 /// Whether every equation is true in the scope.
-fn hold<T: Testable>(equations: &[(Formula, Formula)], scope: &Scope<T>) -> Result<bool, AuditError> {
+fn hold<F: Testable>(equations: &[(Formula, Formula)], scope: &Scope<F>) -> Result<bool, AuditError> {
     let mut hold = true;
     for (left, right) in equations {
         let (left, right) = (left.value(scope)?, right.value(scope)?);
-        hold &= (left.clone() - &right).vanishes(&left);
+        hold &= scope.field().vanishes(&scope.field().sub(&left, &right), &left);
     }
     Ok(hold)
 }
@@ -180,10 +180,10 @@ fn hold<T: Testable>(equations: &[(Formula, Formula)], scope: &Scope<T>) -> Resu
 const POINTS: usize = 20;
 
 /// Judges equations, separated by semicolons, that must be true wherever `point` puts them.
-pub fn identity<T: Testable>(
+pub fn identity<F: Testable>(
     printed: &str,
     what: &str,
-    point: impl Fn(&mut Samples) -> Result<Scope<T>, AuditError>,
+    point: impl Fn(&mut Samples) -> Result<Scope<F>, AuditError>,
 ) -> Result<Finding, AuditError> {
     let equations = printed.split(';').map(sides).collect::<Result<Vec<_>, _>>()?;
     let mut samples = Samples::new();
@@ -196,10 +196,11 @@ pub fn identity<T: Testable>(
 }
 
 /// Judges an equation between definite numbers: the left side is what is computed.
-pub fn equality(printed: &str, scope: &Scope<Ball>) -> Result<Finding, AuditError> {
+pub fn equality(printed: &str, scope: &Scope<Balls>) -> Result<Finding, AuditError> {
     let (left, right) = sides(printed)?;
     let (left, right) = (left.value(scope)?, right.value(scope)?);
-    let verdict = if (&left - right).vanishes(&left) { Verdict::Holds } else { Verdict::Wrong(None) };
+    let holds = scope.field().vanishes(&(&left - right), &left);
+    let verdict = if holds { Verdict::Holds } else { Verdict::Wrong(None) };
     Ok(Finding::new(digits(&left, SHOWN_DIGITS)?, verdict))
 }
 

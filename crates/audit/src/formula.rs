@@ -2,9 +2,7 @@
 
 use crate::AuditError;
 use num_rational::BigRational;
-use num_traits::Zero;
-use restitution_real::Ball;
-use restitution_series::Field;
+use restitution_real::{Ball, Balls, Field, Rationals, ZeroTest};
 use std::iter::Peekable;
 use std::vec::IntoIter;
 
@@ -29,51 +27,56 @@ pub enum Formula {
 
 /// What the names of a formula stand for.
 #[derive(Clone, Debug)]
-pub struct Scope<T> {
-    unit: T,
-    values: Vec<(&'static str, T)>,
+pub struct Scope<F: Field> {
+    field: F,
+    values: Vec<(&'static str, F::Number)>,
     exponents: Vec<(&'static str, BigRational)>,
 }
 
 /// A field that knows constants by their names.
 pub trait Constants: Field {
-    /// Returns `pi` or `Gamma(p/q)` with the precision of `self`, if the field has them.
-    fn constant(&self, name: &str) -> Option<Self>;
+    /// Returns `pi` or `Gamma(p/q)`, if the field has them.
+    fn constant(&self, name: &str) -> Option<Self::Number>;
 }
 
-impl Constants for BigRational {
-    fn constant(&self, _: &str) -> Option<Self> {
+impl Constants for Rationals {
+    fn constant(&self, _: &str) -> Option<BigRational> {
         None
     }
 }
 
-impl Constants for Ball {
-    fn constant(&self, name: &str) -> Option<Self> {
+impl Constants for Balls {
+    fn constant(&self, name: &str) -> Option<Ball> {
         if name == "pi" {
-            return Some(Self::pi(self.prec()));
+            return Some(Ball::pi(self.prec()));
         }
         let argument = name.strip_prefix("Gamma(")?.strip_suffix(')')?;
         let argument = Formula::read(argument).ok()?.exponent(&[]).ok()?;
-        Some(Self::from_rational(&argument, self.prec()).gamma())
+        Some(self.rational(&argument).gamma())
     }
 }
 
-impl<T: Field> Scope<T> {
-    /// Returns a scope without names; numbers get the precision of `unit`.
-    pub fn new(unit: T) -> Self {
-        Self { unit, values: Vec::new(), exponents: Vec::new() }
+impl<F: Field> Scope<F> {
+    /// Returns a scope without names.
+    pub fn new(field: F) -> Self {
+        Self { field, values: Vec::new(), exponents: Vec::new() }
+    }
+
+    /// The field of the numbers.
+    pub fn field(&self) -> &F {
+        &self.field
     }
 
     /// Adds a name.
     #[must_use]
-    pub fn with(mut self, name: &'static str, value: T) -> Self {
+    pub fn with(mut self, name: &'static str, value: F::Number) -> Self {
         self.values.push((name, value));
         self
     }
 
     /// Adds names of numbers.
     #[must_use]
-    pub fn with_all(mut self, names: &[&'static str], values: impl IntoIterator<Item = T>) -> Self {
+    pub fn with_all(mut self, names: &[&'static str], values: impl IntoIterator<Item = F::Number>) -> Self {
         self.values.extend(names.iter().copied().zip(values));
         self
     }
@@ -82,7 +85,7 @@ impl<T: Field> Scope<T> {
     #[must_use]
     pub fn with_exponent(mut self, name: &'static str, value: &BigRational) -> Self {
         self.exponents.push((name, value.clone()));
-        let value = self.unit.rational(value);
+        let value = self.field.rational(value);
         self.with(name, value)
     }
 }
@@ -96,38 +99,39 @@ impl Formula {
     }
 
     /// Returns the value in a scope.
-    pub fn value<T: Constants>(&self, scope: &Scope<T>) -> Result<T, AuditError> {
+    pub fn value<F: Constants>(&self, scope: &Scope<F>) -> Result<F::Number, AuditError> {
+        let field = &scope.field;
         Ok(match self {
-            Self::Number(number) => scope.unit.rational(number),
+            Self::Number(number) => field.rational(number),
             Self::Name(name) => {
                 let known = scope.values.iter().find(|(known, _)| known == name).map(|(_, value)| value);
-                let value = known.cloned().or_else(|| scope.unit.constant(name));
+                let value = known.cloned().or_else(|| field.constant(name));
                 value.ok_or_else(|| AuditError::failure(format!("the name {name} stands for nothing")))?
             }
-            Self::Root(x) => power(&x.value(scope)?, &BigRational::new(1.into(), 2.into()))?,
-            Self::Negative(x) => -x.value(scope)?,
-            Self::Sum(x, y) => x.value(scope)? + y.value(scope)?,
-            Self::Product(x, y) => x.value(scope)? * y.value(scope)?,
+            Self::Root(x) => power(field, &x.value(scope)?, &BigRational::new(1.into(), 2.into()))?,
+            Self::Negative(x) => field.neg(&x.value(scope)?),
+            Self::Sum(x, y) => field.add(&x.value(scope)?, &y.value(scope)?),
+            Self::Product(x, y) => field.mul(&x.value(scope)?, &y.value(scope)?),
             Self::Quotient(x, y) => {
                 let divisor = y.value(scope)?;
-                if divisor.is_zero() {
+                if field.zero_test(&divisor) == ZeroTest::Zero {
                     return Err(AuditError::failure("a formula divides by zero"));
                 }
-                x.value(scope)? / divisor
+                field.div(&x.value(scope)?, &divisor)
             }
-            Self::Power(x, e) => power(&x.value(scope)?, &e.exponent(&scope.exponents)?)?,
+            Self::Power(x, e) => power(field, &x.value(scope)?, &e.exponent(&scope.exponents)?)?,
         })
     }
 
     /// Returns the value as the exact number that an exponent must be.
     fn exponent(&self, names: &[(&'static str, BigRational)]) -> Result<BigRational, AuditError> {
-        let values = names.to_vec();
-        self.value(&Scope { unit: BigRational::zero(), values, exponents: Vec::new() })
+        self.value(&Scope { field: Rationals, values: names.to_vec(), exponents: Vec::new() })
     }
 }
 
-fn power<T: Field>(base: &T, exponent: &BigRational) -> Result<T, AuditError> {
-    base.power(exponent).ok_or_else(|| AuditError::failure(format!("{base:?} has no power {exponent} here")))
+fn power<F: Field>(field: &F, base: &F::Number, exponent: &BigRational) -> Result<F::Number, AuditError> {
+    let none = || AuditError::failure(format!("{base:?} has no power {exponent} here"));
+    field.power(base, exponent).ok_or_else(none)
 }
 
 fn unreadable(text: &str) -> AuditError {
@@ -233,7 +237,7 @@ mod tests {
     }
 
     fn exact(text: &str) -> Result<BigRational, AuditError> {
-        let scope = Scope::new(ratio(1, 1)).with("x0''", ratio(4, 9)).with_exponent("p", &ratio(3, 2));
+        let scope = Scope::new(Rationals).with("x0''", ratio(4, 9)).with_exponent("p", &ratio(3, 2));
         Formula::read(text)?.value(&scope)
     }
 
@@ -262,7 +266,7 @@ mod tests {
 
     #[test]
     fn balls_have_constants() {
-        let scope = Scope::new(Ball::from_integer(1, 100));
+        let scope = Scope::new(Balls::new(100));
         let value = |text: &str| Formula::read(text).unwrap().value(&scope).unwrap();
         assert!(value("Gamma(1/2)^2").overlaps(&value("pi")));
         assert_eq!(value("sqrt(pi) Gamma(21/10)").to_digits(8).as_deref(), Some("1.8548479"));

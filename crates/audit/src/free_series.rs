@@ -4,7 +4,7 @@ use crate::AuditError;
 use crate::samples::Samples;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
-use restitution_series::{Field, FractionalSeries, SeriesError};
+use restitution_series::{FractionalSeries, SeriesError};
 
 /// The coefficients `b_2 .. b_9` of `x(t) = sum b_k t^(k/2)` by collecting the orders of (A1).
 ///
@@ -32,13 +32,13 @@ pub fn residual(
     alpha: &BigRational,
     root: &BigRational,
     b: &[BigRational],
-) -> Result<FractionalSeries<BigRational>, SeriesError> {
+) -> Result<FractionalSeries, SeriesError> {
     let x = FractionalSeries::new(2, b.to_vec());
     let velocity = x.derivative()?;
     let half = BigRational::new(1.into(), 2.into());
     let drag = velocity.multiply(&x.power(&half)?)?;
     let force = x.power(&(&half + BigRational::one()))?;
-    let times = |series: &FractionalSeries<BigRational>, factor: BigRational| {
+    let times = |series: &FractionalSeries, factor: BigRational| {
         FractionalSeries::new(2, series.coefficients().iter().map(|c| c * &factor).collect())
     };
     let forces = times(&drag, alpha / root).add(&times(&force, root.pow(-2)))?;
@@ -68,8 +68,9 @@ impl FreeMotion {
                 }
             }
             // dt^i/i! for the next i.
-            power = BigRational::product(&power, shift, 4);
-            power = BigRational::scale_each(&power, &|_| (1, (m - order + 1) as i64));
+            let coefficient = |k: usize| -> BigRational { (0..=k).map(|i| &power[i] * &shift[k - i]).sum() };
+            let divisor = BigRational::from_integer((m - order + 1).into());
+            power = (0..4).map(|k| coefficient(k) / &divisor).collect();
         }
         sum
     }

@@ -133,7 +133,7 @@ fn series(a: &[BigRational; 3], a5: BigRational) -> Vec<BigRational> {
 }
 
 /// The general algorithm's approximant of `1 - s + a_2 s^2 - a_3 s^3 + a_4 s^4 + 0 s^5`.
-fn general_algorithm(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
+fn general_algorithm(samples: &mut Samples) -> Result<Scope<Rationals>, AuditError> {
     let a = [samples.fraction(), samples.fraction(), samples.fraction()];
     let found = approximant(&Rationals, &series(&a, BigRational::zero()), PadeType::new(1, 4))
         .map_err(AuditError::failure)?;
@@ -141,7 +141,7 @@ fn general_algorithm(samples: &mut Samples) -> Result<Scope<BigRational>, AuditE
     let two = BigRational::from_integer(2.into());
     let d0 = a4 - &two * a3 - a2 * a2 + (&two + BigRational::one()) * a2 - BigRational::one();
     let d = (1..6).map(|k| entry(found.function(), k).clone());
-    let scope = Scope::new(BigRational::one()).with_all(&["d1", "d2", "d3", "d4", "d5"], d);
+    let scope = Scope::new(Rationals).with_all(&["d1", "d2", "d3", "d4", "d5"], d);
     Ok(scope.with("d0", d0).with_all(&["a2", "a3", "a4"], a))
 }
 

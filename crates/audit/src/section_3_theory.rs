@@ -10,8 +10,8 @@ use crate::true_values::{TrueValues, ball, one};
 use num_rational::BigRational;
 use num_traits::One;
 use restitution_law::ForceLaw;
-use restitution_real::Ball;
-use restitution_series::{ApproximateTheory, Field, FractionalSeries};
+use restitution_real::{Ball, Balls, Rationals};
+use restitution_series::{ApproximateTheory, FractionalSeries};
 
 const C: &str = "restitution table --quantity C --order 1 --digits 20";
 const A: &str = "restitution table --quantity a --order 4 --digits 20";
@@ -143,26 +143,22 @@ fn spheres() -> ApproximateTheory {
 const TERMS: usize = 12;
 
 /// (18) for the first terms of (20), integrated exactly; `delta` is such that it holds.
-fn energy_lost(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
+fn energy_lost(samples: &mut Samples) -> Result<Scope<Rationals>, AuditError> {
     energy(samples.positive(), BigRational::one(), -BigRational::one())
 }
 
 /// The same for (23) and (24): the speed has the factor `eps`, the damping the other sign.
-fn energy_gained(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
+fn energy_gained(samples: &mut Samples) -> Result<Scope<Rationals>, AuditError> {
     energy(samples.positive(), samples.positive(), BigRational::one())
 }
 
 /// The change of energy of a motion that starts with `speed`, and the work that makes it.
-fn energy(
-    root: BigRational,
-    speed: BigRational,
-    sign: BigRational,
-) -> Result<Scope<BigRational>, AuditError> {
+fn energy(root: BigRational, speed: BigRational, sign: BigRational) -> Result<Scope<Rationals>, AuditError> {
     let (d, work) = (integrated(&BigRational::one())?, integrated(&root)? * &speed);
     let two = BigRational::from_integer(2.into());
     let delta = (root.pow(5) - speed.pow(2)) / two / work * sign;
     let names = ["xi0", "eps", "d", "delta"];
-    Ok(Scope::new(BigRational::one()).with_all(&names, [root.pow(2), speed, d, delta]))
+    Ok(Scope::new(Rationals).with_all(&names, [root.pow(2), speed, d, delta]))
 }
 
 /// The integral of `sqrt(xi) sqrt(1 - (xi/xi0)^(5/2))` from 0 to `xi0 = root^2`, term by term.
@@ -170,7 +166,7 @@ fn integrated(root: &BigRational) -> Result<BigRational, AuditError> {
     let mut base = vec![0; 5 * TERMS];
     (base[0], base[5]) = (1, -1);
     let half = BigRational::new(1.into(), 2.into());
-    let velocity = FractionalSeries::<BigRational>::from_integers(2, &base).power(&half)?;
+    let velocity = FractionalSeries::from_integers(2, &base).power(&half)?;
     let scaled = velocity.coefficients().iter().zip(0..).map(|(c, k)| c * root.pow(-k));
     let scaled = FractionalSeries::new(2, scaled.collect());
     let mut weight = vec![0; 5 * TERMS];
@@ -181,18 +177,18 @@ fn integrated(root: &BigRational) -> Result<BigRational, AuditError> {
 }
 
 /// `d` as the appendix implies it: `C_1 = -2 d (5/4)^(3/5)`, with `C_1` from the trajectories.
-fn with_integral(truth: &TrueValues) -> Scope<Ball> {
+fn with_integral(truth: &TrueValues) -> Scope<Balls> {
     let exponent = BigRational::new(3.into(), 5.into());
     let scale = Ball::from_ratio(5, 4, truth.c[1].prec()).pow(&exponent);
     truth.scope().with("d", -(&truth.c[1] / scale).shifted(-1))
 }
 
 /// Numbers that solve (21) and (26): `xi0 = h^2`, `eps = h^5`, `d delta = (1 - h^5)/(2 h^3)`.
-fn solved(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
+fn solved(samples: &mut Samples) -> Result<Scope<Rationals>, AuditError> {
     let (h, d) = (samples.positive(), samples.positive());
     let two = BigRational::from_integer(2.into());
     let delta = (BigRational::one() - h.pow(5)) / (two * h.pow(3)) / &d;
-    Ok(Scope::new(BigRational::one()).with_all(&["xi0", "eps", "d", "delta"], [h.pow(2), h.pow(5), d, delta]))
+    Ok(Scope::new(Rationals).with_all(&["xi0", "eps", "d", "delta"], [h.pow(2), h.pow(5), d, delta]))
 }
 
 /// The printed `eps` put into (25), with `d delta` from (21).
@@ -202,7 +198,7 @@ fn combined(printed: &str) -> Result<Finding, AuditError> {
     let right = right_side(printed)?;
     let equation = "1/2 xi0^(5/2) - 1/2 eps^2 = eps (1/2 - 1/2 xi0^(5/2))/xi0^(3/2) xi0^(3/2)";
     identity(equation, "random rational points, exactly", |samples| {
-        let scope = Scope::new(BigRational::one()).with("xi0", samples.positive().pow(2));
+        let scope = Scope::new(Rationals).with("xi0", samples.positive().pow(2));
         let eps = right.value(&scope)?;
         Ok(scope.with("eps", eps))
     })
@@ -227,11 +223,7 @@ fn no_divergence() -> Result<Finding, AuditError> {
 fn coefficient(printed: &str, k: usize) -> Result<Finding, AuditError> {
     let theory = spheres();
     let found = number(printed, &Known::Exactly(theory.coefficient(k)), None)?;
-    let signed = theory
-        .coefficients(8)
-        .into_iter()
-        .zip(0..)
-        .map(|(a, k)| a.scaled(if k % 2 == 1 { -1 } else { 1 }, 1));
+    let signed = theory.coefficients(8).into_iter().zip(0..).map(|(a, k)| if k % 2 == 1 { -a } else { a });
     let eps = FractionalSeries::new(1, signed.collect());
     let raised = eps.power(theory.exponent())?;
     for k in 1..=8 {

@@ -6,12 +6,12 @@ use crate::claim::{Claim, Finding, Verdict, enclosed, identity, number, right_si
 use crate::formula::Scope;
 use crate::printed_number::{Known, SHOWN_DIGITS, digits};
 use crate::samples::Samples;
-use crate::true_values::{TrueValues, ball, fraction, one};
+use crate::true_values::{FIELD, TrueValues, ball, fraction};
 use num_rational::BigRational;
 use num_traits::One;
 use restitution_closed::{Family, Language, Reduction, closed_form, low_orders};
 use restitution_law::ForceLaw;
-use restitution_real::Ball;
+use restitution_real::{Ball, Balls, Rationals};
 use restitution_series::FractionalSeries;
 use std::ops::RangeInclusive;
 
@@ -124,7 +124,7 @@ impl Forces {
     }
 
     /// The names of (8) to (11), `delta` by scaling (7) directly: `D2 xi0^(gamma+1) g^(beta-2)`.
-    fn scope(&self) -> Scope<Ball> {
+    fn scope(&self) -> Scope<Balls> {
         let (_, beta, gamma) = self.forces.exponents();
         let length = self.forces.elastic_compression(&self.stiffness, &self.velocity);
         let two = BigRational::from_integer(2.into());
@@ -132,9 +132,9 @@ impl Forces {
         self.names().with("delta", scaled * &self.damping)
     }
 
-    fn names(&self) -> Scope<Ball> {
+    fn names(&self) -> Scope<Balls> {
         let (alpha, beta, gamma) = self.forces.exponents();
-        Scope::new(one())
+        Scope::new(FIELD)
             .with("D1", self.stiffness.clone())
             .with("D2", self.damping.clone())
             .with("g", self.velocity.clone())
@@ -160,7 +160,7 @@ fn condition(printed: &str) -> Result<Finding, AuditError> {
     identity("(1 + alpha) p = condition", "random exponents, exactly", |samples| {
         let (alpha, beta, gamma) = (samples.positive(), samples.positive(), samples.positive());
         let forces = PowerForces::new(alpha.clone(), beta.clone(), gamma.clone())?;
-        let scope = Scope::new(BigRational::one()).with("p", forces.velocity_exponent());
+        let scope = Scope::new(Rationals).with("p", forces.velocity_exponent());
         let scope = scope.with_all(&["alpha", "beta", "gamma"], [alpha, beta, gamma]);
         let condition = right.value(&scope)? - left.value(&scope)?;
         Ok(scope.with("condition", condition))
@@ -173,13 +173,13 @@ fn constant_restitution(numerator: i64, denominator: i64) -> BigRational {
 }
 
 /// `rho xi^(3/2)` and its derivative by the exact series.
-fn forces_of_spheres(samples: &mut Samples) -> Result<Scope<BigRational>, AuditError> {
+fn forces_of_spheres(samples: &mut Samples) -> Result<Scope<Rationals>, AuditError> {
     let (root, rho) = (samples.positive(), samples.fraction());
-    let force = FractionalSeries::<BigRational>::from_integers(2, &[0, 0, 0, 1]);
+    let force = FractionalSeries::from_integers(2, &[0, 0, 0, 1]);
     let slope = force.derivative()?.coefficient(1)? * &rho * &root;
     let a = samples.fraction();
     let names = ["xi", "rho", "A", "dF"];
-    Ok(Scope::new(BigRational::one()).with_all(&names, [&root * &root, rho, a, slope]))
+    Ok(Scope::new(Rationals).with_all(&names, [&root * &root, rho, a, slope]))
 }
 
 /// Where `2 (gamma - alpha) + beta (1 + alpha)`, a linear function of `alpha` for `gamma = alpha - 1`
@@ -197,13 +197,13 @@ fn constant_viscoelastic() -> BigRational {
 }
 
 /// (14) with `D1 = rho/m` and `D2 = (3/2) A rho/m` put into (11).
-fn damping_of_spheres(samples: &mut Samples) -> Result<Scope<Ball>, AuditError> {
+fn damping_of_spheres(samples: &mut Samples) -> Result<Scope<Balls>, AuditError> {
     let mut draw = || fraction(&samples.positive());
     let (a, rho, mass, g) = (draw(), draw(), draw(), draw());
     let stiffness = &rho / &mass;
     let damping = &stiffness * &a * ball(3) / ball(2);
     let delta = PowerForces::from(ForceLaw::viscoelastic_spheres()).damping_number(&stiffness, &damping, &g);
-    Ok(Scope::new(one()).with_all(&["A", "rho", "m", "g", "delta"], [a, rho, mass, g, delta]))
+    Ok(Scope::new(FIELD).with_all(&["A", "rho", "m", "g", "delta"], [a, rho, mass, g, delta]))
 }
 
 /// A remark that there is no closed form of `C_k`: true of the method, and imprecise if one gives the same numbers.

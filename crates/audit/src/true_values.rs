@@ -8,9 +8,7 @@ use restitution_direct::{Collision, End};
 use restitution_law::ForceLaw;
 use restitution_pade::{PadeType, RationalFunction, approximant, table_one};
 use restitution_real::{Ball, Balls};
-use restitution_series::{
-    Quantity, TailBound, Trajectories, TurningPointSum, Units, coefficients, turning_time,
-};
+use restitution_series::{Quantity, TailBound, Trajectories, TurningPointSum, coefficients, turning_time};
 
 /// Digits of the coefficients behind every claim.
 const DIGITS: usize = 45;
@@ -32,7 +30,7 @@ pub struct TrueValues {
     /// `h_0 .. h_9` of the end of contact at zero force.
     pub h: Vec<Ball>,
     /// `x_0 .. x_3` exactly.
-    pub trajectories: Trajectories<BigRational>,
+    pub trajectories: Trajectories,
     /// The motion at the undamped turning point.
     pub turning: AtTurningPoint,
     /// The numbers that follow when the corrections in (A26) and (A27) count half.
@@ -89,7 +87,7 @@ impl TrueValues {
         let (c, a) = (table(Quantity::Restitution, ORDER)?, table(Quantity::ScaledRestitution, ORDER)?);
         let bounds = TailBound::find(&law, 3).map_err(AuditError::failure)?;
         let terms = bounds.terms_for(BITS);
-        let trajectories = Trajectories::<BigRational>::derive(&law, 3, terms, &Units::natural());
+        let trajectories = Trajectories::exact(&law, 3, terms);
         let turning = AtTurningPoint::new(&trajectories, &bounds)?;
         Ok(Self {
             halved: Halved::new(&turning)?,
@@ -104,8 +102,8 @@ impl TrueValues {
     }
 
     /// A scope for formulas between balls.
-    pub fn scope(&self) -> Scope<Ball> {
-        Scope::new(one())
+    pub fn scope(&self) -> Scope<Balls> {
+        Scope::new(FIELD)
     }
 
     /// `eps = 1 - s + a_2 s^2 - ...`, the coefficients with their signs.
@@ -137,7 +135,7 @@ impl TrueValues {
 }
 
 impl AtTurningPoint {
-    fn new(trajectories: &Trajectories<BigRational>, bounds: &TailBound) -> Result<Self, AuditError> {
+    fn new(trajectories: &Trajectories, bounds: &TailBound) -> Result<Self, AuditError> {
         let time = turning_time(trajectories.law(), BITS);
         let mut out = Self { time: time.clone(), position: Vec::new(), velocity: Vec::new() };
         for n in 0..=trajectories.damping_order() {
@@ -168,10 +166,10 @@ impl AtTurningPoint {
     /// ```text
     /// x_0'' = -x_0^(3/2),    x_1'' = -(3/2) sqrt(x_0) x_1,    x_0''' = 0
     /// ```
-    pub fn scope(&self) -> Scope<Ball> {
+    pub fn scope(&self) -> Scope<Balls> {
         let (x, v) = (&self.position, &self.velocity);
         let root = x[0].sqrt();
-        Scope::new(one())
+        Scope::new(FIELD)
             .with_all(&["x0", "x1", "x2", "x3"], x.iter().cloned())
             .with_all(&["x1'", "x2'", "x3'"], v[1..].iter().cloned())
             .with("x0''", -(&root * &x[0]))
@@ -189,7 +187,7 @@ impl Halved {
         let x = &turning.position;
         let (y2, y3) = (half(Y2, &x[2])?, half(Y3, &x[3])?);
         let y = [&x[0], &x[1], &y2, &y3].map(Ball::clone);
-        let scope = Scope::new(one()).with_all(&["y0", "y1", "y2", "y3"], y);
+        let scope = Scope::new(FIELD).with_all(&["y0", "y1", "y2", "y3"], y);
         let mut c = vec![one()];
         for formula in C {
             c.push(Formula::read(formula)?.value(&scope)?);

@@ -6,7 +6,6 @@
 
 mod arithmetic;
 mod ball;
-mod ball_vector;
 pub mod convert;
 mod decimal;
 mod error;
@@ -16,7 +15,6 @@ pub mod kronecker;
 mod magnitude;
 
 pub use ball::Ball;
-pub use ball_vector::BallVector;
 pub use error::RealError;
 pub use field::{Balls, Field, OrderedField, Rationals, ZeroTest};
 pub use magnitude::Magnitude;

@@ -2,7 +2,6 @@
 //!
 //! Prints the seconds for the coefficients `q_(n,j)`, `n <= N`, `j <= J`, then `n,j,value`.
 
-use num_rational::BigRational;
 use restitution_law::ForceLaw;
 use restitution_series::Trajectories;
 use std::io::Write;
@@ -18,7 +17,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-fn print(trajectories: &Trajectories<BigRational>) -> Result<(), Box<dyn std::error::Error>> {
+fn print(trajectories: &Trajectories) -> Result<(), Box<dyn std::error::Error>> {
     let mut out = std::io::BufWriter::new(std::io::stdout().lock());
     for n in 0..=trajectories.damping_order() {
         for (j, q) in trajectories.coefficients(n)?.iter().enumerate() {

@@ -1,6 +1,4 @@
-use crate::certified::{Expansion, Goal, Unproved, expand};
-use crate::expansion::by_balls;
-use crate::turning_point::power as power_of;
+use crate::certified::{Expansion, Goal, LARGEST_ORDER, Unproved, expand};
 use crate::{DelayedRecovery, SeriesError};
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, Zero};
@@ -68,18 +66,19 @@ pub fn coefficients_watched(
     let wanted = bits_of(digits) + 8;
     let delay = (quantity == Quantity::DelayedRecovery).then(|| Delay::new(law, order)).transpose()?;
     let whole = delay.as_ref().map_or(order, Delay::whole_order);
+    if whole > LARGEST_ORDER {
+        return Err(SeriesError::OrderTooLarge { order, largest: LARGEST_ORDER });
+    }
     let limit = (16 * wanted + 64 * whole + 4096).min(MAX_BITS);
-    let exhausted =
-        || SeriesError::Real(RealError::PrecisionExhausted { digits, reached_bits: limit as u32 });
     let select = |expansion: &Expansion| match &delay {
         Some(delay) => delay.coefficients(&expansion.restitution[..=whole]),
-        None => Ok(expansion.select(quantity)[..=order].to_vec()),
+        None => expansion.select(quantity)[..=order].to_vec(),
     };
     let missing = |expansion: &Expansion| {
         let missing = |value: &Ball| {
             if value.to_digits(digits).is_some() { 0 } else { shortfall(value, wanted).max(1) }
         };
-        select(expansion).map_or(wanted, |values| values.iter().map(missing).max().unwrap_or(0))
+        select(expansion).iter().map(missing).max().unwrap_or(0)
     };
     let goal = Goal {
         law,
@@ -91,10 +90,12 @@ pub fn coefficients_watched(
     };
     let expansion = match expand(&goal, watch) {
         Ok(expansion) => expansion,
-        Err(Unproved::Exhausted) => return Err(exhausted()),
-        Err(Unproved::Norms) => by_balls(&goal, watch)?.ok_or_else(exhausted)?,
+        Err(Unproved::Exhausted) => {
+            return Err(RealError::PrecisionExhausted { digits, reached_bits: limit as u32 }.into());
+        }
+        Err(Unproved::Norms) => return Err(SeriesError::Unproved { law: law.to_string() }),
     };
-    select(&expansion)
+    Ok(select(&expansion))
 }
 
 /// Returns about how many bytes [`coefficients`] needs at its peak: not less than measured for spheres, nor twice as much.
@@ -157,19 +158,41 @@ impl Delay {
     }
 
     /// `h_0 .. h_order`.
-    fn coefficients(&self, restitution: &[Ball]) -> Result<Vec<Ball>, SeriesError> {
+    fn coefficients(&self, restitution: &[Ball]) -> Vec<Ball> {
         let mut h = vec![Ball::zero(); self.order + 1];
         let stride = usize::try_from(*self.exponent.numer()).unwrap_or(usize::MAX);
         let exponent = BigRational::new((*self.exponent.numer()).into(), (*self.exponent.denom()).into());
         for (k, psi) in self.psi.iter().enumerate() {
             let power = BigRational::one() + &self.velocity * &exponent * BigRational::from_integer(k.into());
             let places = h.iter_mut().skip(stride * k).step_by(self.steps_per_power());
-            for (place, c) in places.zip(power_of(restitution, &power)?) {
+            for (place, c) in places.zip(unit_power(restitution, &power)) {
                 *place += &c * Ball::from_rational(psi, c.prec().max(restitution[1].prec()));
             }
         }
-        Ok(h)
+        h
     }
+}
+
+/// `s^p` for a series that begins with 1, by Miller's formula, of which the sums are taken as
+///
+/// ```text
+/// g_k = (p+1)/k sum_(i=1..k) i s_i g_(k-i) - sum_(i=1..k) s_i g_(k-i)
+/// ```
+fn unit_power(series: &[Ball], exponent: &BigRational) -> Vec<Ball> {
+    let factor = exponent + BigRational::one();
+    let mut power = vec![Ball::one()];
+    for k in 1..series.len() {
+        let (mut weighted, mut plain) = (Ball::zero(), Ball::zero());
+        for i in 1..=k {
+            let term = &series[i] * &power[k - i];
+            weighted += &term * Ball::from_integer(i as i64, 64);
+            plain += term;
+        }
+        let factor = &factor / BigRational::from_integer(k.into());
+        let prec = weighted.prec();
+        power.push(weighted * Ball::from_rational(&factor, prec) - plain);
+    }
+    power
 }
 
 /// `a_k = C_k/C_1^k`.

@@ -5,7 +5,7 @@ use num_rational::Ratio;
 #[non_exhaustive]
 pub enum SeriesError {
     /// The operation needs a nonzero constant term.
-    #[error("the {operation} of a series needs a constant term that is certainly not zero")]
+    #[error("the {operation} of a series needs a constant term that is not zero")]
     ZeroConstantTerm {
         /// The operation that was asked for.
         operation: &'static str,
@@ -16,8 +16,8 @@ pub enum SeriesError {
     /// The reversion needs a series that begins with a multiple of `t`.
     #[error("only a series that begins with a nonzero multiple of t can be reversed")]
     NotReversible,
-    /// The leading coefficient has no such power in the field.
-    #[error("the coefficient {coefficient} has no power {exponent} in this field")]
+    /// The leading coefficient has no rational power of this exponent.
+    #[error("the coefficient {coefficient} has no rational power {exponent}")]
     NoPower {
         /// The leading coefficient.
         coefficient: String,
@@ -63,9 +63,24 @@ pub enum SeriesError {
     /// A certified number could not be given.
     #[error(transparent)]
     Real(#[from] restitution_real::RealError),
-    /// The sums at the turning point could not be bounded.
-    #[error(transparent)]
-    Bound(#[from] crate::BoundError),
+    /// The errors of the expansion could not be bounded.
+    #[error(
+        "no error bound could be proved for the expansion of the law {law}: choose exponents A,GAMMA nearer to 3/2,1/2"
+    )]
+    Unproved {
+        /// The law, as A,GAMMA.
+        law: String,
+    },
+    /// The proof holds for lower orders only.
+    #[error(
+        "order {order} was asked for, but errors are bounded up to order {largest} only: ask for a lower one"
+    )]
+    OrderTooLarge {
+        /// The order asked for.
+        order: usize,
+        /// The largest order that is proved.
+        largest: usize,
+    },
     /// A damping order that was not computed was asked for.
     #[error("order {asked} in the damping was asked for, but only orders up to {known} were computed")]
     BeyondDampingOrder {

@@ -1,6 +1,10 @@
-use crate::{Field, SeriesError, ZeroTest};
+use crate::SeriesError;
+use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{One, Signed, ToPrimitive, Zero};
+use restitution_real::convert::{big_integer, rug_integer};
+use restitution_real::{Field, Rationals, kronecker};
+use rug::Integer;
 
 /// A power series in `t^(1/unit)` that knows where it ends.
 ///
@@ -10,39 +14,38 @@ use num_traits::{One, Signed, ToPrimitive};
 ///
 /// The trajectories of spheres are series in half powers, `unit = 2`. The absolute truncation order is
 /// part of the value: every operation gives as many terms as its operands prove and no more, and a
-/// coefficient beyond it is unknown, never zero. Exact over the rationals, enclosing over balls.
+/// coefficient beyond it is unknown, never zero. The coefficients are exact fractions.
 ///
 /// # Examples
 ///
 /// ```
-/// use num_rational::BigRational;
 /// use restitution_series::{FractionalSeries, SeriesError};
 ///
-/// let s = FractionalSeries::<BigRational>::from_integers(2, &[1, -1, 0, 0]);
+/// let s = FractionalSeries::from_integers(2, &[1, -1, 0, 0]);
 /// assert_eq!(s.to_string(), "1 - t^(1/2) + O(t^2)");
 /// assert_eq!(s.recip()?.to_string(), "1 + t^(1/2) + t + t^(3/2) + O(t^2)");
 ///
-/// let t = FractionalSeries::<BigRational>::from_integers(2, &[0, 0, 1]);
+/// let t = FractionalSeries::from_integers(2, &[0, 0, 1]);
 /// assert!(matches!(t.recip(), Err(SeriesError::ZeroConstantTerm { .. })));
 /// # Ok::<(), SeriesError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct FractionalSeries<T> {
+pub struct FractionalSeries {
     unit: i64,
-    coefficients: Vec<T>,
+    coefficients: Vec<BigRational>,
 }
 
-impl<T: Field> FractionalSeries<T> {
+impl FractionalSeries {
     /// Returns the series in `t^(1/unit)` with the given coefficients, truncated after them.
     ///
     /// A `unit` below 1 is read as 1.
-    pub fn new(unit: i64, coefficients: Vec<T>) -> Self {
+    pub fn new(unit: i64, coefficients: Vec<BigRational>) -> Self {
         Self { unit: unit.max(1), coefficients }
     }
 
     /// Returns the series with the given integers as coefficients.
     pub fn from_integers(unit: i64, coefficients: &[i64]) -> Self {
-        Self::new(unit, coefficients.iter().map(|&n| T::one().ratio(n, 1)).collect())
+        Self::new(unit, coefficients.iter().map(|&n| fraction(n, 1)).collect())
     }
 
     /// How many lattice steps make one power of `t`.
@@ -56,7 +59,7 @@ impl<T: Field> FractionalSeries<T> {
     }
 
     /// The known coefficients, by index.
-    pub fn coefficients(&self) -> &[T] {
+    pub fn coefficients(&self) -> &[BigRational] {
         &self.coefficients
     }
 
@@ -65,7 +68,7 @@ impl<T: Field> FractionalSeries<T> {
     /// # Errors
     ///
     /// [`SeriesError::BeyondTruncation`] if it is not known.
-    pub fn coefficient(&self, index: usize) -> Result<&T, SeriesError> {
+    pub fn coefficient(&self, index: usize) -> Result<&BigRational, SeriesError> {
         let beyond = || SeriesError::BeyondTruncation {
             exponent: self.exponent(index),
             order: self.exponent(self.order()),
@@ -118,14 +121,14 @@ impl<T: Field> FractionalSeries<T> {
         self.same_unit(other)?;
         let (low_a, low_b) = (self.valuation(), other.valuation());
         let known = (self.order() - low_a).min(other.order() - low_b);
-        let product = T::product(&self.coefficients[low_a..], &other.coefficients[low_b..], known);
+        let product = product(&self.coefficients[low_a..], &other.coefficients[low_b..], known);
         Ok(Self::shifted(self.unit, product, low_a + low_b))
     }
 
     /// Returns every coefficient times the fraction `numerator/denominator` (`denominator != 0`).
     #[must_use]
     pub fn scaled(&self, numerator: i64, denominator: i64) -> Self {
-        self.map(|c| c.scaled(numerator, denominator))
+        self.map(|c| c * fraction(numerator, denominator))
     }
 
     /// Returns the derivative by `t`: `sum_k (k/unit) c_k t^(k/unit - 1)`.
@@ -135,7 +138,7 @@ impl<T: Field> FractionalSeries<T> {
     /// [`SeriesError::NegativeExponent`] if there is a term with an exponent strictly between 0 and 1.
     pub fn derivative(&self) -> Result<Self, SeriesError> {
         let unit = as_usize(self.unit);
-        let derived = T::scale_each(&self.coefficients, &|k| (as_i64(k), self.unit));
+        let derived = self.weighted(|k| fraction(as_i64(k), self.unit));
         if let Some(k) = derived.iter().take(unit).position(|c| !c.is_zero()) {
             return Err(SeriesError::NegativeExponent { exponent: self.exponent(k) - 1 });
         }
@@ -145,7 +148,7 @@ impl<T: Field> FractionalSeries<T> {
     /// Returns the integral from 0: `sum_k c_k/(k/unit + 1) t^(k/unit + 1)`.
     #[must_use]
     pub fn integral(&self) -> Self {
-        let integrated = T::scale_each(&self.coefficients, &|k| (self.unit, as_i64(k) + self.unit));
+        let integrated = self.weighted(|k| fraction(self.unit, as_i64(k) + self.unit));
         Self::shifted(self.unit, integrated, as_usize(self.unit))
     }
 
@@ -153,16 +156,16 @@ impl<T: Field> FractionalSeries<T> {
     ///
     /// # Errors
     ///
-    /// [`SeriesError::ZeroConstantTerm`] unless the constant term is certainly not zero.
+    /// [`SeriesError::ZeroConstantTerm`] if the constant term is zero.
     pub fn recip(&self) -> Result<Self, SeriesError> {
-        let first = self.coefficients.first().filter(|c| c.zero_test() == ZeroTest::NonZero);
+        let first = self.coefficients.first().filter(|c| !c.is_zero());
         let first = first.ok_or(SeriesError::ZeroConstantTerm { operation: "reciprocal" })?;
-        let mut r = vec![T::one() / first];
+        let mut r = vec![first.recip()];
         while r.len() < self.order() {
             let known = r.len();
             let next = (2 * known).min(self.order());
-            let defect = T::product(&self.coefficients, &r, next);
-            r.extend(T::product(&defect[known..], &r, next - known).into_iter().map(|c| -c));
+            let defect = product(&self.coefficients, &r, next);
+            r.extend(product(&defect[known..], &r, next - known).into_iter().map(|c| -c));
         }
         Ok(Self::new(self.unit, r))
     }
@@ -180,20 +183,20 @@ impl<T: Field> FractionalSeries<T> {
     ///
     /// # Errors
     ///
-    /// [`SeriesError::ZeroConstantTerm`] if all known coefficients may be zero,
-    /// [`SeriesError::NoPower`] if the field has no `c^p`, [`SeriesError::OffLattice`] if `v p` is no
+    /// [`SeriesError::ZeroConstantTerm`] if all known coefficients are zero,
+    /// [`SeriesError::NoPower`] if `c^p` is not rational, [`SeriesError::OffLattice`] if `v p` is no
     /// multiple of the step, [`SeriesError::NegativeExponent`] if it is negative.
     pub fn power(&self, exponent: &BigRational) -> Result<Self, SeriesError> {
         if exponent.is_one() {
             return Ok(self.clone());
         }
         let low = self.valuation();
-        let lead = self.coefficients.get(low).filter(|c| c.zero_test() == ZeroTest::NonZero);
+        let lead = self.coefficients.get(low).filter(|c| !c.is_zero());
         let lead = lead.ok_or(SeriesError::ZeroConstantTerm { operation: "power" })?;
         let no_power =
-            || SeriesError::NoPower { coefficient: format!("{lead:?}"), exponent: exponent.to_string() };
+            || SeriesError::NoPower { coefficient: lead.to_string(), exponent: exponent.to_string() };
         let small = small_fraction(exponent).ok_or_else(no_power)?;
-        let factor = lead.power(exponent).ok_or_else(no_power)?;
+        let factor = Rationals.power(lead, exponent).ok_or_else(no_power)?;
         let shift = BigRational::from_integer(low.into()) * exponent;
         if shift.is_negative() {
             return Err(SeriesError::NegativeExponent {
@@ -205,7 +208,7 @@ impl<T: Field> FractionalSeries<T> {
         }
         let shift =
             usize::try_from(shift.to_integer()).map_err(|_| SeriesError::OffLattice { unit: self.unit })?;
-        let f: Vec<T> = self.coefficients[low..].iter().map(|c| c.clone() / lead).collect();
+        let f: Vec<BigRational> = self.coefficients[low..].iter().map(|c| c / lead).collect();
         let power = unit_power(&f, small).into_iter().map(|c| c * &factor).collect();
         Ok(Self::shifted(self.unit, power, shift))
     }
@@ -217,7 +220,7 @@ impl<T: Field> FractionalSeries<T> {
     ///
     /// # Errors
     ///
-    /// [`SeriesError::InnerConstantTerm`] if the inner series does not certainly vanish at 0, and what
+    /// [`SeriesError::InnerConstantTerm`] if the inner series does not vanish at 0, and what
     /// [`FractionalSeries::power`] says where `s` has fractional powers.
     pub fn compose(&self, inner: &Self) -> Result<Self, SeriesError> {
         let low = inner.valuation();
@@ -230,15 +233,15 @@ impl<T: Field> FractionalSeries<T> {
         // first power that occurs.
         let steps = self.order().div_ceil(stride);
         let order = (step.valuation() * steps).min(step.order());
-        let padded = |v: &[T]| {
-            v.iter().cloned().chain(std::iter::repeat_with(T::zero)).take(order).collect::<Vec<_>>()
+        let padded = |v: &[BigRational]| {
+            v.iter().cloned().chain(std::iter::repeat_with(BigRational::zero)).take(order).collect::<Vec<_>>()
         };
-        let factor = T::factor(&padded(&step.coefficients), order);
-        let mut sum = vec![T::zero(); order];
+        let step = padded(&step.coefficients);
+        let mut sum = vec![BigRational::zero(); order];
         for k in (0..steps).rev() {
-            sum = T::sum_of_products(&[(1, &T::factor(&sum, order), &factor)], order);
+            sum = product(&sum, &step, order);
             if let (Some(constant), Some(c)) = (sum.first_mut(), self.coefficients.get(k * stride)) {
-                *constant = c.clone() + &*constant;
+                *constant += c;
             }
         }
         Ok(Self::new(inner.unit, sum))
@@ -256,30 +259,29 @@ impl<T: Field> FractionalSeries<T> {
     ///
     /// # Errors
     ///
-    /// [`SeriesError::NotReversible`] unless `s` begins with a certainly nonzero multiple of `t`,
+    /// [`SeriesError::NotReversible`] unless `s` begins with a nonzero multiple of `t`,
     /// [`SeriesError::NoPower`] if `c` lacks a root that a fractional power needs.
     pub fn reverse(&self) -> Result<Self, SeriesError> {
         let unit = as_usize(self.unit);
-        let lead = self.coefficients.get(unit).filter(|c| c.zero_test() == ZeroTest::NonZero);
+        let lead = self.coefficients.get(unit).filter(|c| !c.is_zero());
         let lead = lead.filter(|_| self.valuation() == unit).ok_or(SeriesError::NotReversible)?;
         let stride = self.stride();
         let m = unit / stride;
-        let phi: Vec<T> =
-            self.coefficients[unit..].iter().step_by(stride).map(|c| c.clone() / lead).collect();
+        let phi: Vec<BigRational> =
+            self.coefficients[unit..].iter().step_by(stride).map(|c| c / lead).collect();
         let len = phi.len();
         let root = unit_power(&phi, (-1, as_i64(m)));
-        let factor = T::factor(&root, len);
         let mut power = unit_power(&phi, (-1, 1));
-        let mut out = vec![T::zero(); self.order()];
+        let mut out = vec![BigRational::zero(); self.order()];
         for k in m..m + len {
             let scale = BigRational::new((-as_i64(k)).into(), m.into());
-            let c = power[k - m].scaled(as_i64(m), as_i64(k));
+            let c = &power[k - m] * fraction(as_i64(m), as_i64(k));
             if !c.is_zero() {
                 let no_power =
-                    || SeriesError::NoPower { coefficient: format!("{lead:?}"), exponent: scale.to_string() };
-                out[k * stride] = c * lead.power(&scale).ok_or_else(no_power)?;
+                    || SeriesError::NoPower { coefficient: lead.to_string(), exponent: scale.to_string() };
+                out[k * stride] = c * Rationals.power(lead, &scale).ok_or_else(no_power)?;
             }
-            power = T::sum_of_products(&[(1, &T::factor(&power, len), &factor)], len);
+            power = product(&power, &root, len);
         }
         Ok(Self::new(self.unit, out))
     }
@@ -295,12 +297,16 @@ impl<T: Field> FractionalSeries<T> {
         (self.unit == other.unit).then_some(()).ok_or(differ)
     }
 
-    fn map(&self, function: impl Fn(&T) -> T) -> Self {
+    fn map(&self, function: impl Fn(&BigRational) -> BigRational) -> Self {
         Self::new(self.unit, self.coefficients.iter().map(function).collect())
     }
 
-    fn shifted(unit: i64, coefficients: Vec<T>, shift: usize) -> Self {
-        let mut all = vec![T::zero(); shift];
+    fn weighted(&self, weight: impl Fn(usize) -> BigRational) -> Vec<BigRational> {
+        self.coefficients.iter().enumerate().map(|(k, c)| c * weight(k)).collect()
+    }
+
+    fn shifted(unit: i64, coefficients: Vec<BigRational>, shift: usize) -> Self {
+        let mut all = vec![BigRational::zero(); shift];
         all.extend(coefficients);
         Self::new(unit, all)
     }
@@ -308,24 +314,44 @@ impl<T: Field> FractionalSeries<T> {
 
 /// Returns `f^(numerator/denominator)` for a series that begins with 1, to its own length, by Miller's
 /// formula `k g_k = sum_(i=1..k) (p i - (k-i)) f_i g_(k-i)`.
-pub(crate) fn unit_power<T: Field>(f: &[T], (numerator, denominator): (i64, i64)) -> Vec<T> {
-    let mut g: Vec<T> = Vec::with_capacity(f.len());
+fn unit_power(f: &[BigRational], (numerator, denominator): (i64, i64)) -> Vec<BigRational> {
+    let mut g: Vec<BigRational> = Vec::with_capacity(f.len());
     for k in 0..f.len() {
-        if k == 0 {
-            g.push(f[0].ratio(1, 1));
-            continue;
-        }
-        let mut with_index = T::zero();
-        let mut plain = T::zero();
-        for i in 1..=k {
-            let term = f[i].times(&g[k - i]);
-            with_index = with_index + term.scaled(as_i64(i), 1);
-            plain = plain + term;
-        }
-        // The sum is (p + 1) sum i f_i g_(k-i) - k sum f_i g_(k-i).
-        g.push(with_index.scaled(numerator + denominator, denominator * as_i64(k)) - plain);
+        let term = |i: usize| {
+            let weight = numerator * as_i64(i) - denominator * as_i64(k - i);
+            &f[i] * &g[k - i] * BigInt::from(weight)
+        };
+        let sum = (1..=k).map(term).fold(BigRational::zero(), |sum, term| sum + term);
+        g.push(if k == 0 { BigRational::one() } else { sum / BigInt::from(denominator * as_i64(k)) });
     }
     g
+}
+
+/// The first `len` coefficients of a product, over common denominators.
+fn product(a: &[BigRational], b: &[BigRational], len: usize) -> Vec<BigRational> {
+    let ((a, of_a), (b, of_b)) = (over_common_denominator(a, len), over_common_denominator(b, len));
+    let denominator = of_a * of_b;
+    let reduce = |numerator: Integer| {
+        let common = Integer::from(numerator.gcd_ref(&denominator));
+        let denominator = Integer::from(denominator.div_exact_ref(&common));
+        BigRational::new_raw(big_integer(&numerator.div_exact(&common)), big_integer(&denominator))
+    };
+    kronecker::product(&a, &b, len).into_iter().map(reduce).collect()
+}
+
+/// The numerators of the first `len` coefficients over their least common denominator.
+fn over_common_denominator(series: &[BigRational], len: usize) -> (Vec<Integer>, Integer) {
+    let series = &series[..series.len().min(len)];
+    let denominators = series.iter().map(|c| rug_integer(c.denom()));
+    let denominator = denominators.fold(Integer::from(1), |common, d| common.lcm(&d));
+    let numerator = |c: &BigRational| {
+        rug_integer(c.numer()) * Integer::from(denominator.div_exact_ref(&rug_integer(c.denom())))
+    };
+    (series.iter().map(numerator).collect(), denominator)
+}
+
+fn fraction(numerator: i64, denominator: i64) -> BigRational {
+    BigRational::new(numerator.into(), denominator.into())
 }
 
 /// A rational exponent as a pair of small integers; `None` if it is not one.

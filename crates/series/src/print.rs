@@ -5,7 +5,7 @@ use num_rational::{BigRational, Ratio};
 use num_traits::{One, Signed, Zero};
 use std::fmt;
 
-impl fmt::Display for FractionalSeries<BigRational> {
+impl fmt::Display for FractionalSeries {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut first = true;
         for (k, c) in self.coefficients().iter().enumerate().filter(|(_, c)| !c.is_zero()) {

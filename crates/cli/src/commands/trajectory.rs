@@ -60,12 +60,12 @@ impl TrajectoryArgs {
     }
 
     /// How many coefficients of `x_n` belong to powers of time up to `P`.
-    fn within(&self, trajectories: &Trajectories<BigRational>, n: usize) -> usize {
+    fn within(&self, trajectories: &Trajectories, n: usize) -> usize {
         let beyond = |j: &usize| big(trajectories.exponent(n, *j)) > *self.time_order.value();
         (0..trajectories.terms()).find(beyond).unwrap_or(trajectories.terms())
     }
 
-    fn table(&self, trajectories: &Trajectories<BigRational>) -> Result<Table, CliError> {
+    fn table(&self, trajectories: &Trajectories) -> Result<Table, CliError> {
         let mut table = Table::new(&["n", "exponent", "coefficient"]);
         for n in 0..=trajectories.damping_order() {
             let coefficients = trajectories.coefficients(n)?.iter().take(self.within(trajectories, n));
@@ -78,7 +78,7 @@ impl TrajectoryArgs {
     }
 
     /// One line for each order, with the first power that is not given.
-    fn series(&self, trajectories: &Trajectories<BigRational>) -> Result<String, CliError> {
+    fn series(&self, trajectories: &Trajectories) -> Result<String, CliError> {
         let mut out = String::new();
         for n in 0..=self.damping_order {
             if n > trajectories.damping_order() {

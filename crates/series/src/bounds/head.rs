@@ -4,7 +4,8 @@ use crate::turning_time;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use restitution_law::{ForceLaw, Lattice};
-use restitution_real::{Ball, BallVector, Magnitude};
+use restitution_real::{Ball, Magnitude, kronecker};
+use rug::{Float, Integer};
 
 /// Bits with which a head of so many leading terms is enclosed.
 ///
@@ -80,30 +81,70 @@ impl Head {
 #[derive(Default)]
 struct Series {
     rows: Vec<Vec<Ball>>,
-    factors: Vec<BallVector>,
+    factors: Vec<Factor>,
 }
 
 impl Series {
-    fn push(&mut self, row: Vec<Ball>) {
-        self.factors.push(BallVector::new(&row, row.len()));
+    fn push(&mut self, row: Vec<Ball>, bits: u32) {
+        self.factors.push(Factor::new(&row, bits));
         self.rows.push(row);
     }
 
     /// Returns `sum_(0<k<n) x_k y_(n-k)`, the part of order `n` of a product that is known before it.
-    fn cross(x: &Self, y: &Self, width: usize) -> Vec<Ball> {
+    fn cross(x: &Self, y: &Self, width: usize, bits: u32) -> Vec<Ball> {
         let n = x.factors.len();
-        let pairs: Vec<_> = (1..n).map(|k| (1, &x.factors[k], &y.factors[n - k])).collect();
-        BallVector::sum_of_products(&pairs, width)
+        sum_of_products((1..n).map(|k| (1, &x.factors[k], &y.factors[n - k])), width, bits)
     }
 
     /// As [`Series::cross`] of a series with itself, each pair once.
-    fn cross_square(&self, width: usize) -> Vec<Ball> {
+    fn cross_square(&self, width: usize, bits: u32) -> Vec<Ball> {
         let n = self.factors.len();
         let weight = |k: usize| if 2 * k < n { 2 } else { 1 };
-        let pairs: Vec<_> =
-            (1..=n / 2).map(|k| (weight(k), &self.factors[k], &self.factors[n - k])).collect();
-        BallVector::sum_of_products(&pairs, width)
+        let pairs = (1..=n / 2).map(|k| (weight(k), &self.factors[k], &self.factors[n - k]));
+        sum_of_products(pairs, width, bits)
     }
+}
+
+/// A row in units of `2^-bits`, none of whose coefficients is off by more than `error` units.
+struct Factor {
+    integers: Vec<Integer>,
+    error: Magnitude,
+    norm: Magnitude,
+}
+
+impl Factor {
+    fn new(row: &[Ball], bits: u32) -> Self {
+        let integer = |x: &Ball| Float::with_val(x.prec(), x.mid() << bits).to_integer().unwrap_or_default();
+        let radius = |x: &Ball| Magnitude::of(&Ball::exact(x.rad().clone()).shifted(bits as i32));
+        // To the nearest integer: half a unit; not finite: no bound.
+        let largest = row.iter().map(radius).fold(Magnitude::ZERO, |x, y| if x < y { y } else { x });
+        let norm = row.iter().map(|x| Magnitude::of(&x.shifted(bits as i32))).sum();
+        Self { integers: row.iter().map(integer).collect(), error: largest + Magnitude::ONE, norm }
+    }
+}
+
+/// The first `len` coefficients of a sum of products: the integers' product is exact, and each coefficient is off by at
+/// most `||x|| error_y + error_x (||y|| + len error_y)`.
+fn sum_of_products<'f>(
+    terms: impl Iterator<Item = (u32, &'f Factor, &'f Factor)>,
+    len: usize,
+    bits: u32,
+) -> Vec<Ball> {
+    let mut sum = vec![Integer::new(); len];
+    let mut error = Magnitude::ZERO;
+    for (weight, x, y) in terms {
+        for (sum, c) in sum.iter_mut().zip(kronecker::product(&x.integers, &y.integers, len)) {
+            *sum += c * weight;
+        }
+        let spread = y.norm + Magnitude::exact(len as f64) * y.error;
+        error = error + Magnitude::exact(f64::from(weight)) * (x.norm * y.error + x.error * spread);
+    }
+    let error = error.to_float();
+    let ball = |c: &Integer| {
+        let unit = -i32::try_from(2 * bits).unwrap_or(i32::MAX);
+        Ball::from_big_integer(c, bits).widened(&error).shifted(unit)
+    };
+    sum.iter().map(ball).collect()
 }
 
 /// `F` to one power, with its exponent.
@@ -158,9 +199,12 @@ impl System {
     /// Appends the coefficients of the next damping order.
     fn add_order(&mut self, width: usize) {
         let n = self.logarithmic.rows.len();
-        let squares = self.logarithmic.cross_square(width);
-        let known: Vec<Vec<Ball>> =
-            self.powers.iter().map(|p| Series::cross(&self.logarithmic, &p.series, width)).collect();
+        let squares = self.logarithmic.cross_square(width, self.bits);
+        let known: Vec<Vec<Ball>> = self
+            .powers
+            .iter()
+            .map(|p| Series::cross(&self.logarithmic, &p.series, width, self.bits))
+            .collect();
         let mut row = Vec::with_capacity(width);
         let mut power_rows = vec![Vec::with_capacity(width); self.powers.len()];
         let mut drive = Vec::with_capacity(width);
@@ -174,9 +218,9 @@ impl System {
                 }
             }
         }
-        self.logarithmic.push(row);
+        self.logarithmic.push(row, self.bits);
         for (power, power_row) in self.powers.iter_mut().zip(power_rows) {
-            power.series.push(power_row);
+            power.series.push(power_row, self.bits);
         }
         self.drive = drive;
     }

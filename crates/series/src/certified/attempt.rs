@@ -3,22 +3,28 @@
 use super::damped::Motion;
 use super::inverse::{Exponents, logarithm};
 use super::inverse_proof;
-use super::motion_proof;
+use super::motion_proof::{self, Outcome};
 use super::turning::{Neighbourhood, TurningScale};
 use super::turning_proof;
 use super::units::{Scale, fixed, log_singular_ratio};
-use crate::inverse_collision::vanish;
 use crate::kernels::{Fixed, Workshop, size_for};
+use crate::vanishing::vanish;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 use restitution_law::ForceLaw;
 use restitution_real::{Ball, Magnitude};
 use rug::{Float, Integer};
 
-/// Bits before the point: no coefficient of a provable expansion needs so many.
+/// Bits before the point: no coefficient of a provable expansion needs so many, but those of large powers.
 const HEAD: u32 = 48;
+/// Exponents beyond which powers need more bits, and how many more.
+const LARGE_POWER: f64 = 16.0;
+const BITS_OF_LARGE_POWERS: f64 = 2.5;
 /// Of these, bits that a row may have; the rest is for sums and weights.
 const ROW_HEAD: u32 = 12;
+
+/// The largest order that is proved.
+pub(crate) const LARGEST_ORDER: usize = turning_proof::MOST_PLACES - 1;
 
 /// The choices that decide how close the approximation and its proof are.
 #[derive(Clone, Copy, Debug)]
@@ -59,6 +65,13 @@ pub(crate) struct Request<'l> {
     pub last: usize,
 }
 
+/// Bits before the point for the powers of a law.
+fn head(law: &ForceLaw) -> u32 {
+    let exponent = |x: &BigRational| x.to_f64().unwrap_or(f64::MAX);
+    let excess = exponent(law.a()).max(exponent(&law.damping_step())) - LARGE_POWER;
+    HEAD + (BITS_OF_LARGE_POWERS * excess).clamp(0.0, 4096.0) as u32
+}
+
 /// The terms of the trajectories at a precision.
 pub(crate) fn size_for_bits(law: &ForceLaw, bits: u32, margin: usize) -> usize {
     size_for((f64::from(bits) / log_singular_ratio(law)).ceil() as usize + margin)
@@ -72,9 +85,7 @@ pub(crate) fn attempt(
 ) -> Result<Expansion, Failure> {
     let law = request.law;
     let bits = plan.bits;
-    if request.last.max(request.damping) >= turning_proof::MOST_PLACES {
-        return Err(Failure::Norms);
-    }
+    debug_assert!(request.last.max(request.damping) <= LARGEST_ORDER);
     let scale = Scale::new(law, plan.lambda, bits);
     let most = Float::with_val(64, 1) << (ROW_HEAD - 2);
     let ratio = scale.ratio.0 as f64 / scale.ratio.1 as f64;
@@ -82,19 +93,20 @@ pub(crate) fn attempt(
         return Err(Failure::Norms);
     }
     let slope = log_singular_ratio(law);
-    let shop = Workshop::new(bits, HEAD, ((slope * 0.85 * 64.0) as usize, 64));
+    let shop = Workshop::new(bits, head(law), ((slope * 0.85 * 64.0) as usize, 64));
     let size = size_for_bits(law, bits, plan.margin);
     let motion =
         Motion::derive(&shop, &scale, request.damping, size, bits + ROW_HEAD, watch).ok_or(Failure::Norms)?;
-    let errors = motion_proof::bound(&shop, &scale, &motion, slope).ok_or(Failure::Norms)?;
+    let outcome = motion_proof::bound(&shop, &scale, &motion, slope).ok_or(Failure::Norms)?;
     if shop.overflowed() {
         return Err(Failure::Norms);
     }
-    if errors.missing_terms > 0 {
-        return Err(Failure::Terms(errors.missing_terms));
-    }
+    let errors = match outcome {
+        Outcome::Bounded(errors) => errors,
+        Outcome::Cut(terms) => return Err(Failure::Terms(terms)),
+    };
 
-    let flat = Workshop::new(bits, HEAD, (0, 1));
+    let flat = Workshop::new(bits, head(law), (0, 1));
     let start = Start::new(law, &scale, &motion, errors, bits);
     let mut step = if plan.step > 0.0 { plan.step } else { start.first_step() };
     for _ in 0..5 {
@@ -328,7 +340,8 @@ mod tests {
         let shop = Workshop::new(bits, HEAD, (2, 1));
         let size = size_for_bits(&law, bits, 24);
         let motion = Motion::derive(&shop, &scale, 4, size, bits + ROW_HEAD, &mut |_| ()).unwrap();
-        let errors = motion_proof::bound(&shop, &scale, &motion, log_singular_ratio(&law)).unwrap();
+        let outcome = motion_proof::bound(&shop, &scale, &motion, log_singular_ratio(&law));
+        let Some(Outcome::Bounded(errors)) = outcome else { panic!("{outcome:?}") };
         let flat = Workshop::new(bits, HEAD, (0, 1));
         let start = Start::new(&law, &scale, &motion, errors, bits);
         let turning = start.turning(1.5 * start.first_step());

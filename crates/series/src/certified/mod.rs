@@ -14,5 +14,5 @@ mod turning_proof;
 mod undamped;
 mod units;
 
-pub(crate) use attempt::Expansion;
+pub(crate) use attempt::{Expansion, LARGEST_ORDER};
 pub(crate) use plan::{Goal, Unproved, expand, memory_estimate};

@@ -2,7 +2,7 @@
 
 use super::damped::Motion;
 use super::response::{Cause, response};
-use super::sketch::{Grading, Powers, Sketch};
+use super::sketch::{Detail, Grading, Powers, Sketch, Unbounded, in_detail};
 use super::units::Scale;
 use crate::kernels::{Fixed, Workshop, power_of_two};
 use restitution_real::Magnitude;
@@ -14,8 +14,9 @@ pub(crate) const SETTLED: f64 = 0.51;
 const CUT: f64 = 64.0;
 /// Bins for exponents, at most.
 const MOST_BINS: usize = 6000;
-/// Bins for the smaller step of the exponents.
+/// Bins for the smaller step of the exponents, and at most so many for the larger one.
 const BINS_PER_STEP: f64 = 4.0;
+const MOST_BINS_PER_STEP: f64 = 128.0;
 
 /// Bounds of the errors of all orders together, in units of the fixed point.
 #[derive(Clone, Copy, Debug)]
@@ -24,8 +25,14 @@ pub(crate) struct MotionErrors {
     pub position: Magnitude,
     /// `sum_n |x_n'(T) - x~_n'(T)|`.
     pub velocity: Magnitude,
-    /// Terms by which the sums were cut off too early to lose no bits by that.
-    pub missing_terms: usize,
+}
+
+/// What a proof comes to.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Outcome {
+    Bounded(MotionErrors),
+    /// The sums were cut off so many terms too early to lose no bits by that.
+    Cut(usize),
 }
 
 /// One power in the equation of motion: `constant F^power`, found as `rows` with `defects`.
@@ -40,11 +47,21 @@ fn exact(x: f64) -> Magnitude {
 }
 
 /// Proves bounds of the errors, or `None` if the norms are too large for the theorem.
-pub(crate) fn bound(shop: &Workshop, scale: &Scale, motion: &Motion, slope: f64) -> Option<MotionErrors> {
+pub(crate) fn bound(shop: &Workshop, scale: &Scale, motion: &Motion, slope: f64) -> Option<Outcome> {
+    in_detail(|detail| bound_in(detail, shop, scale, motion, slope))
+}
+
+fn bound_in(
+    detail: Detail,
+    shop: &Workshop,
+    scale: &Scale,
+    motion: &Motion,
+    slope: f64,
+) -> Result<Outcome, Unbounded> {
     let unit = scale.lattice.unit as f64;
     let (elastic, damping) = (scale.lattice.elastic as f64 / unit, scale.lattice.damping as f64 / unit);
     let grading = Grading { row: damping, column: elastic };
-    let powers = Powers::new(Sketch::new(&motion.f, shop.bits(), grading)?, grading)?;
+    let powers = Powers::new(Sketch::new(&motion.f, shop.bits(), grading, detail)?, grading)?;
     let pull = Force { steps: scale.powers()[0], rows: &motion.force, defects: &motion.force_defects };
     let stiffness = powers.power(elastic - 2.0)?;
     let (pull_error, mut folded) = force_error(shop, scale, motion, &pull, &powers, stiffness.norm(), slope)?;
@@ -64,9 +81,12 @@ pub(crate) fn bound(shop: &Workshop, scale: &Scale, motion: &Motion, slope: f64)
     // A few bits lost by the cut cost less than more terms.
     let rest = residual.to_f64() + pull_error.to_f64() + drag_error.to_f64();
     let cut = (last + folded).to_f64() / (rest - (last + folded).to_f64()).max(1.0);
-    let missing_terms = if cut > CUT { (cut.log2() / (0.9 * slope)).ceil() as usize } else { 0 };
+    if cut > CUT {
+        return Ok(Outcome::Cut((cut.log2() / (0.9 * slope)).ceil() as usize));
+    }
     let residual = residual + pull_error * exact(1.0 / elastic) + drag_error * exact(1.0 / damping);
     let width = elastic.min(damping) / BINS_PER_STEP;
+    let width = width.max(elastic.max(damping) / MOST_BINS_PER_STEP);
     let bin = |e: f64| (e / width - 1e-9).max(0.0) as usize;
     let binned = |sketch: &Sketch, factor: Magnitude| -> Vec<Magnitude> {
         let norms = sketch.norms_by(|n, j| bin(damping * n as f64 + elastic * j as f64));
@@ -83,7 +103,7 @@ pub(crate) fn bound(shop: &Workshop, scale: &Scale, motion: &Motion, slope: f64)
         },
         Cause { step: bin(damping), sizes: &binned(&drag, d), weight: &|b, _| 1.0 / (low(b) + 1.0) },
     ];
-    let growth = response(bin(elastic.min(damping)), &causes, MOST_BINS)?;
+    let growth = response(bin(elastic.min(damping)), &causes, MOST_BINS).ok_or(Unbounded::Large)?;
 
     // What is of second order in the error must stay below the residual.
     let velocity = growth * residual * Magnitude::exact(2.0);
@@ -96,7 +116,9 @@ pub(crate) fn bound(shop: &Workshop, scale: &Scale, motion: &Motion, slope: f64)
     let second = second * relative * powers.reciprocal() * velocity;
     let allowed = (relative * exact(power.max(damping).max(1.0))).to_f64() <= 0.5 && second <= residual;
     let position = velocity * exact(1.0 / (1.0 + elastic.min(damping)));
-    (allowed && velocity.is_finite()).then_some(MotionErrors { position, velocity, missing_terms })
+    (allowed && velocity.is_finite())
+        .then_some(Outcome::Bounded(MotionErrors { position, velocity }))
+        .ok_or(Unbounded::Large)
 }
 
 /// `||H - c F^p||` for the rows `H` found and the polynomial `F` found: `||F^p||` times
@@ -114,7 +136,7 @@ fn force_error(
     powers: &Powers,
     lower_power: Magnitude,
     slope: f64,
-) -> Option<(Magnitude, Magnitude)> {
+) -> Result<(Magnitude, Magnitude), Unbounded> {
     let unit = scale.lattice.unit;
     let power = force.steps as f64 / unit as f64;
     let size = motion.f[0].len();
@@ -141,12 +163,12 @@ fn force_error(
         sum * power_of_two(bits + 1 - (slope * size as f64).floor() as i64)
     };
     let folded = [0.99, 0.97, 0.94, 0.9, 0.8].map(|share| folded(share * slope));
-    let folded = folded.into_iter().reduce(|x, y| if x < y { x } else { y })?;
+    let folded = folded.into_iter().reduce(|x, y| if x < y { x } else { y }).ok_or(Unbounded::Large)?;
     let defects = (of_rows + of_first + folded) * exact(1.0 / unit as f64);
     let inverse = powers.power(-power - 1.0)?.norm();
     let error = Magnitude::ONE + inverse * defects;
     let error_of_folded = inverse * folded * exact(1.0 / unit as f64);
-    Some((lower_power * powers.base() * error, lower_power * powers.base() * error_of_folded))
+    Ok((lower_power * powers.base() * error, lower_power * powers.base() * error_of_folded))
 }
 
 /// `||D^(-1) r||` for the residual `r` of the equation of motion, exactly but for the last conversion:

@@ -28,14 +28,12 @@ pub(crate) fn reciprocal(shop: &Workshop, series: &Fixed) -> Fixed {
     z
 }
 
-/// The series `H` with the constant term given and `theta H = rate H`, `theta = v d/dv`, `rate_0 = 0`.
+/// The series `H` with constant term 1 and `theta H = rate H`, `theta = v d/dv`, `rate_0 = 0`.
 ///
 /// Newton's iteration with `1/H` carried along: `H <- H (1 + theta^(-1)((rate H - theta H)/H))`.
-pub(crate) fn exponential(shop: &Workshop, rate: &Fixed, constant: &Integer) -> Fixed {
+pub(crate) fn exponential(shop: &Workshop, rate: &Fixed) -> Fixed {
     let len = rate.len();
-    let single = |value: Integer| Fixed::from_integers(&[value], shop.width());
-    let mut h = single(constant.clone());
-    let mut inverse = single((Integer::from(1) << (2 * shop.bits())) / constant);
+    let (mut h, mut inverse) = (one(shop), one(shop));
     while h.len() < len {
         let known = h.len();
         let next = (2 * known).min(len);
@@ -57,7 +55,7 @@ pub(crate) fn power_of_exponential(
     (numerator, denominator): (i64, i64),
 ) -> Fixed {
     let rate = l.scaled(|k| (numerator * k as i64, denominator));
-    exponential(shop, &rate, &(Integer::from(1) << shop.bits()))
+    exponential(shop, &rate)
 }
 
 /// `outer(inner)` below `v^len` for an inner series without constant term.

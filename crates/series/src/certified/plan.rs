@@ -11,11 +11,18 @@ use restitution_real::Ball;
 /// Orders and bits of the first, cheap attempt that shows how many bits are lost.
 const SCOUT_ORDER: usize = 12;
 const SCOUT_BITS: u32 = 192;
+/// Bits of a second scout, for laws whose errors grow too much for the first.
+const MORE_SCOUT_BITS: u32 = 640;
 /// Least damping order at which the proof of the turning point has all that it needs.
 const LEAST_ORDER: usize = 3;
-/// Units of the damping that are tried, each smaller by a factor.
-const UNITS: usize = 16;
-const SMALLER: f64 = 0.7;
+/// Units of the damping that are tried, each smaller by a factor: first in small steps, then in large ones.
+const UNITS: usize = 36;
+const SMALLER: [(usize, f64); 3] = [(8, 0.7), (20, 0.35), (UNITS, 0.1)];
+/// Relative bits of every value that a scout must prove.
+const LEAST_KNOWN: f64 = 8.0;
+/// Loss in bits from which on a smaller unit is tried too, and what it must save.
+const MUCH: f64 = 90.0;
+const WORTH_IT: f64 = 8.0;
 /// Terms beyond the bits over their fall, at first.
 const MARGIN: usize = 8;
 /// Bits that are lost more for twice as many terms.
@@ -57,14 +64,15 @@ struct Scouted {
 pub(crate) fn expand(goal: &Goal, watch: &mut dyn FnMut(usize)) -> Result<Expansion, Unproved> {
     let damping = goal.damping.max(LEAST_ORDER);
     let request = Request { law: goal.law, damping, last: goal.last.max(damping) };
-    let scouted = scout(goal.law, damping).ok_or(Unproved::Norms)?;
+    let scouted = [SCOUT_BITS, MORE_SCOUT_BITS].into_iter().find_map(|bits| scout(goal.law, damping, bits));
+    let scouted = scouted.ok_or(Unproved::Norms)?;
     let Scouted { lambda, step, mut margin, lost } = scouted;
     let mut plan = Plan { bits: 0, lambda, step, margin };
     // Rounding adds up over the terms.
     let terms = |bits: usize| size_for_bits(goal.law, bits as u32, margin) as f64;
     let growth = (terms(goal.wanted + 64) / terms(SCOUT_BITS as usize)).log2().max(0.0);
     let mut spare = (lost + ROUNDING * growth).max(32.0) as usize + damping / 40 + 4;
-    let mut cuts = 0;
+    let (mut cuts, mut units) = (0, 0);
     loop {
         let bits = goal.wanted + spare;
         plan.bits =
@@ -82,8 +90,9 @@ pub(crate) fn expand(goal: &Goal, watch: &mut dyn FnMut(usize)) -> Result<Expans
                 margin = more(margin, terms, plan.bits, goal.law);
                 plan.margin = margin;
             }
-            Err(_) if plan.lambda > lambda * SMALLER.powi(UNITS as i32) => {
-                plan.lambda *= SMALLER;
+            Err(_) if units < UNITS => {
+                plan.lambda *= step_of_unit(units);
+                units += 1;
                 plan.step = 0.0;
                 spare += damping / 2;
             }
@@ -116,7 +125,9 @@ fn more(margin: usize, terms: usize, bits: u32, law: &ForceLaw) -> usize {
 }
 
 /// Tries units of the damping from the natural one down, at low order and precision.
-fn scout(law: &ForceLaw, damping: usize) -> Option<Scouted> {
+///
+/// A unit that is proved but loses much is compared with the next one.
+fn scout(law: &ForceLaw, damping: usize, bits: u32) -> Option<Scouted> {
     // Some hundred thousand terms are out of reach.
     if log_singular_ratio(law) < 1e-2 {
         return None;
@@ -124,27 +135,47 @@ fn scout(law: &ForceLaw, damping: usize) -> Option<Scouted> {
     let order = damping.min(SCOUT_ORDER);
     let request = Request { law, damping: order, last: order };
     let mut lambda = 1.15 / first_coefficient(law);
-    for _ in 0..UNITS {
-        let mut plan = Plan { bits: SCOUT_BITS, lambda, step: 0.0, margin: MARGIN };
-        for _ in 0..CUTS {
-            match attempt(&request, plan, &mut |_| ()) {
-                Ok(expansion) => {
-                    let lost = lost(&expansion, damping);
-                    return Some(Scouted { lambda, step: expansion.step, margin: plan.margin, lost });
-                }
-                Err(Failure::Terms(terms)) => plan.margin = more(plan.margin, terms, SCOUT_BITS, law),
-                Err(Failure::Norms) => break,
-            }
+    let mut best: Option<Scouted> = None;
+    for unit in 0..UNITS {
+        let found = scout_unit(&request, damping, lambda, bits);
+        let better = |found: &Scouted| best.as_ref().is_none_or(|best| found.lost + WORTH_IT < best.lost);
+        match found.filter(better) {
+            Some(found) if found.lost > MUCH => best = Some(found),
+            Some(found) => return Some(found),
+            None if best.is_some() => break,
+            None => {}
         }
-        lambda *= SMALLER;
+        lambda *= step_of_unit(unit);
+    }
+    best
+}
+
+/// An attempt with one unit of the damping, with as many terms as it needs.
+fn scout_unit(request: &Request, damping: usize, lambda: f64, bits: u32) -> Option<Scouted> {
+    let mut plan = Plan { bits, lambda, step: 0.0, margin: MARGIN };
+    for _ in 0..CUTS {
+        match attempt(request, plan, &mut |_| ()) {
+            Ok(expansion) => {
+                let now = lost(&expansion, request.last, bits);
+                let known = now + LEAST_KNOWN < f64::from(bits);
+                let lost = lost(&expansion, damping, bits);
+                return known.then_some(Scouted { lambda, step: expansion.step, margin: plan.margin, lost });
+            }
+            Err(Failure::Terms(terms)) => plan.margin = more(plan.margin, terms, bits, request.law),
+            Err(Failure::Norms) => break,
+        }
     }
     None
 }
 
+fn step_of_unit(unit: usize) -> f64 {
+    SMALLER.iter().find(|(below, _)| unit < *below).map_or(0.1, |(_, step)| *step)
+}
+
 /// About how many relative bits are lost at an order, from what was lost at lower ones.
-fn lost(expansion: &Expansion, order: usize) -> f64 {
+fn lost(expansion: &Expansion, order: usize, precision: u32) -> f64 {
     let lost = |series: &[Ball]| -> f64 {
-        let bits: Vec<f64> = series.iter().map(relative_bits).collect();
+        let bits: Vec<f64> = series.iter().map(|c| lost_bits(c, precision)).collect();
         let last = bits.len() - 1;
         let worst = bits.iter().skip(1).copied().fold(0.0, f64::max);
         let early = bits.iter().take(last / 2 + 1).skip(1).copied().fold(0.0, f64::max);
@@ -155,8 +186,8 @@ fn lost(expansion: &Expansion, order: usize) -> f64 {
 }
 
 /// Bits between the precision and what is proved.
-fn relative_bits(c: &Ball) -> f64 {
-    c.relative_bits().map_or(0.0, |bits| f64::from(SCOUT_BITS) - bits as f64)
+fn lost_bits(c: &Ball, precision: u32) -> f64 {
+    c.relative_bits().map_or(0.0, |bits| f64::from(precision) - bits as f64)
 }
 
 /// `|C_1| = 2 ((a+1)/2)^((gamma+1)/(a+1)) B((gamma+1)/(a+1), 3/2)/(a+1)` (MATH section 6).

@@ -1,5 +1,6 @@
 //! How much an error grows in a causal linear problem, as a recursion of scalars.
 
+use super::sketch::over_one_minus;
 use restitution_real::Magnitude;
 
 /// One term of the problem: an error at place `b` causes others at `b + step + i`, larger by `sizes[i]` times
@@ -18,7 +19,8 @@ pub(crate) struct Cause<'c> {
 /// ```
 ///
 /// From a place on where all causes together have a factor `q <= 1/2` it is at most `1/(1-q)`. Since the weights
-/// don't rise, neither does `R`. `None` if no such place is found among the first `most`.
+/// don't rise, neither does `R`. Causes within one place, of a factor `s < 1`, enlarge all else by `1/(1-s)`.
+/// `None` if no such place is found among the first `most`.
 pub(crate) fn response(first: usize, causes: &[Cause], most: usize) -> Option<Magnitude> {
     let total = |b: usize| {
         let factor = |cause: &Cause| {
@@ -32,17 +34,25 @@ pub(crate) fn response(first: usize, causes: &[Cause], most: usize) -> Option<Ma
     let end = (first..=end).find(|&b| small(b))?;
     let beyond = Magnitude::exact((1.0 / (1.0 - total(end).to_f64()).next_down()).next_up());
     let mut response = vec![beyond; end + 1];
+    let sizes: Vec<Vec<(usize, Magnitude)>> = causes.iter().map(nonzero).collect();
     for b in (first..end).rev() {
-        let mut sum = Magnitude::ONE;
-        for cause in causes {
-            for (i, &size) in cause.sizes.iter().enumerate() {
+        let (mut sum, mut within) = (Magnitude::ONE, Magnitude::ZERO);
+        for (cause, sizes) in causes.iter().zip(&sizes) {
+            for &(i, size) in sizes {
                 let place = b + cause.step + i;
                 let weight = Magnitude::exact((cause.weight)(b, place) * (1.0 + 1e-12));
-                // Steps of 0 cannot be: every cause is later than its effect.
-                sum = sum + weight * size * response[place.min(end)];
+                if place == b {
+                    within = within + weight * size;
+                } else {
+                    sum = sum + weight * size * response[place.min(end)];
+                }
             }
         }
-        response[b] = sum;
+        response[b] = sum * over_one_minus(within)?;
     }
     Some(response[first])
+}
+
+fn nonzero(cause: &Cause) -> Vec<(usize, Magnitude)> {
+    cause.sizes.iter().copied().enumerate().filter(|(_, size)| size.to_f64() > 0.0).collect()
 }

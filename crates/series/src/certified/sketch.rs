@@ -6,10 +6,47 @@
 use crate::kernels::Fixed;
 use restitution_real::Magnitude;
 
-/// Norm below which the rows and columns at the end are left out of a sketch.
-const LEFT_OUT: f64 = 1e-7;
+/// How much of a series is kept: powers may fall more slowly than the series itself.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Detail {
+    /// Norm below which the rows and columns at the end are left out.
+    left_out: f64,
+    /// Rows and columns kept over those that count.
+    wider: f64,
+}
+
+/// What is tried in turn.
+const DETAILS: [Detail; 3] = [
+    Detail { left_out: 1e-7, wider: 1.0 },
+    Detail { left_out: 1e-10, wider: 1.5 },
+    Detail { left_out: 1e-12, wider: 2.5 },
+];
+
+/// Why nothing was proved.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Unbounded {
+    /// More detail may help.
+    Coarse,
+    /// The norms are too large.
+    Large,
+}
+
+/// The first bound that a sketch in more and more detail proves.
+pub(crate) fn in_detail<T>(bound: impl Fn(Detail) -> Result<T, Unbounded>) -> Option<T> {
+    for detail in DETAILS {
+        match bound(detail) {
+            Ok(bound) => return Some(bound),
+            Err(Unbounded::Coarse) => {}
+            Err(Unbounded::Large) => break,
+        }
+    }
+    None
+}
+
 /// Most coefficients of a sketch.
-const LARGEST: usize = 6000;
+const LARGEST: usize = 12000;
+/// Powers beyond are squares.
+const LARGEST_POWER: f64 = 6.0;
 /// One rounding of a double.
 const UNIT: f64 = f64::EPSILON;
 
@@ -53,8 +90,8 @@ pub(crate) struct Powers {
 impl Sketch {
     /// Takes the leading coefficients of exact rows in units of `2^-bits`.
     ///
-    /// `None` if too many of them count.
-    pub fn new(exact: &[Fixed], bits: u32, grading: Grading) -> Option<Self> {
+    /// [`Unbounded::Large`] if too many of them count.
+    pub fn new(exact: &[Fixed], bits: u32, grading: Grading, detail: Detail) -> Result<Self, Unbounded> {
         let unit = i64::from(bits);
         let sizes: Vec<Vec<f64>> =
             exact.iter().map(|row| (0..row.len()).map(|j| row.size(j, unit).to_f64()).collect()).collect();
@@ -62,9 +99,10 @@ impl Sketch {
         let row_norms: Vec<f64> = sizes.iter().map(|row| row.iter().sum()).collect();
         let column = |j: usize| sizes.iter().filter_map(|row| row.get(j)).sum::<f64>();
         let column_norms: Vec<f64> = (0..width).map(column).collect();
-        let (rows, columns) = (counting(&row_norms), counting(&column_norms));
+        let kept = |norms: &[f64]| (counting(norms, detail.left_out) as f64 * detail.wider).ceil() as usize;
+        let (rows, columns) = (kept(&row_norms).min(exact.len()), kept(&column_norms));
         if rows * columns > LARGEST {
-            return None;
+            return Err(Unbounded::Large);
         }
         let mut values = vec![0.0; rows * columns];
         let (mut error, mut slope_error) = (Magnitude::ZERO, Magnitude::ZERO);
@@ -88,7 +126,7 @@ impl Sketch {
                     slope_error + missing * Magnitude::exact(grading.exponent(n, j) * (1.0 + 8.0 * UNIT));
             }
         }
-        Some(Self { columns, cut: exact.len(), values, error, slope_error })
+        Ok(Self { columns, cut: exact.len(), values, error, slope_error })
     }
 
     fn rows(&self) -> usize {
@@ -114,33 +152,39 @@ impl Sketch {
     }
 
     /// `f~^p` by Miller's formula, as far as the sketch reaches; the errors are not set.
+    ///
+    /// ```text
+    /// e g_e = (p + 1) sum e_1 f_(e_1) g_(e - e_1) - e sum f_(e_1) g_(e - e_1)
+    /// ```
     fn raw_power(&self, power: f64, grading: Grading) -> Self {
         let (rows, columns) = (self.rows(), self.columns);
+        let slope = self.slope(grading);
         let mut result = vec![0.0; rows * columns];
-        result[0] = 1.0;
+        let (mut weighted, mut plain) = (vec![0.0; columns], vec![0.0; columns]);
         for n in 0..rows {
+            weighted.fill(0.0);
+            plain.fill(0.0);
+            for m in 1..=n {
+                let row = m * columns..(m + 1) * columns;
+                let below = &result[(n - m) * columns..(n - m + 1) * columns];
+                for (i, (f, slope)) in self.values[row.clone()].iter().zip(&slope[row]).enumerate() {
+                    add_multiple(&mut plain[i..], *f, below);
+                    add_multiple(&mut weighted[i..], *slope, below);
+                }
+            }
             for j in 0..columns {
-                if (n, j) == (0, 0) {
-                    continue;
-                }
                 let e = grading.exponent(n, j);
-                let mut sum = 0.0;
-                for m in 0..=n {
-                    let x = &self.values[m * columns..];
-                    let y = &result[(n - m) * columns..];
-                    for i in 0..=j {
-                        let first = grading.exponent(m, i);
-                        sum += (power * first - (e - first)) * x[i] * y[j - i];
-                    }
-                }
-                result[n * columns + j] = sum / e;
+                let value = if e > 0.0 { ((power + 1.0) * weighted[j] - e * plain[j]) / e } else { 1.0 };
+                result[n * columns + j] = value;
+                add_multiple(&mut plain[j + 1..], value, &self.values[1..columns]);
+                add_multiple(&mut weighted[j + 1..], value, &slope[1..columns]);
             }
         }
         Self { columns, cut: self.cut, values: result, error: Magnitude::ZERO, slope_error: Magnitude::ZERO }
     }
 
-    /// The norm of `sum_t c_t f_t g_t` for sketches of one shape, rounding counted.
-    fn norm_of_sum(&self, terms: &[(f64, &[f64], &[f64])], less_one: bool) -> Magnitude {
+    /// `sum_t c_t f_t g_t` for sketches of one shape, with so many columns, and a bound of its rounding.
+    fn sum(&self, terms: &[(f64, &[f64], &[f64])]) -> (Vec<f64>, Magnitude) {
         let columns = self.columns;
         let rows = terms[0].1.len() / columns;
         let wide = 2 * columns - 1;
@@ -149,23 +193,40 @@ impl Sketch {
         for (c, f, g) in terms {
             for (m, f) in f.chunks(columns).enumerate() {
                 for (n, g) in g.chunks(columns).enumerate().take(self.cut.saturating_sub(m)) {
-                    for (i, x) in f.iter().enumerate().filter(|(_, x)| **x != 0.0) {
-                        let x = c * x;
-                        for (p, y) in product[(m + n) * wide + i..].iter_mut().zip(g) {
-                            *p += x * y;
-                        }
+                    for (i, x) in f.iter().enumerate() {
+                        add_multiple(&mut product[(m + n) * wide + i..], c * x, g);
                     }
                 }
             }
             sizes = sizes + Magnitude::exact(c.abs()) * norm(f.iter().copied()) * norm(g.iter().copied());
         }
-        if less_one {
-            product[0] -= 1.0;
-            sizes = sizes + Magnitude::ONE;
-        }
         // At most so many additions, each with a relative error of UNIT/2 of what was added so far.
         let additions = (terms.len() * rows * columns + 4) as f64;
-        norm(product.into_iter()) + sizes * Magnitude::exact(additions * UNIT)
+        (product, sizes * Magnitude::exact(additions * UNIT))
+    }
+
+    /// The norm of `sum_t c_t f_t g_t`, or of that less 1, rounding counted.
+    fn norm_of_sum(&self, terms: &[(f64, &[f64], &[f64])], less_one: bool) -> Magnitude {
+        let (mut sum, rounding) = self.sum(terms);
+        if less_one {
+            sum[0] -= 1.0;
+        }
+        norm(sum.into_iter()) + rounding + Magnitude::exact(UNIT)
+    }
+
+    /// The square of the exact series, in as much detail. The errors of slopes are not set.
+    fn squared(&self) -> Self {
+        let (columns, wide) = (self.columns, 2 * self.columns - 1);
+        let (sum, mut error) = self.sum(&[(1.0, &self.values, &self.values)]);
+        let mut values = Vec::with_capacity(self.values.len());
+        for (n, row) in sum.chunks(wide).enumerate() {
+            let kept = if n < self.rows() { columns } else { 0 };
+            values.extend_from_slice(&row[..kept]);
+            error = error + norm(row[kept..].iter().copied());
+        }
+        let twice = Magnitude::exact(2.0) * norm(self.values.iter().copied()) + self.error;
+        error = error + twice * self.error;
+        Self { columns, cut: self.cut, values, error, slope_error: Magnitude::ZERO }
     }
 
     /// `D f~`, every coefficient times its exponent.
@@ -176,13 +237,13 @@ impl Sketch {
 }
 
 impl Powers {
-    /// For a series with constant term 1. `None` if its reciprocal cannot be bounded.
-    pub fn new(base: Sketch, grading: Grading) -> Option<Self> {
+    /// For a series with constant term 1.
+    pub fn new(base: Sketch, grading: Grading) -> Result<Self, Unbounded> {
         let inverse = base.raw_power(-1.0, grading);
         let gap =
             base.norm_of_sum(&[(1.0, &base.values, &inverse.values)], true) + base.error * inverse.norm();
-        let reciprocal = inverse.norm() * over_one_minus(gap)?;
-        Some(Self { grading, base, reciprocal })
+        let reciprocal = inverse.norm() * over_one_minus(gap).ok_or(Unbounded::Coarse)?;
+        Ok(Self { grading, base, reciprocal })
     }
 
     /// A bound of the norm of the series.
@@ -199,7 +260,15 @@ impl Powers {
     ///
     /// With `Q` the power of the sketch and `X = Q/f^p = 1 + xi`, `D X = (f D Q - p Q D f)/(f Q) X`, so that
     /// `||xi|| <= x/(1-x)`, `x = ||f D Q - p Q D f|| ||1/f|| ||1/Q|| / least exponent`.
-    pub fn power(&self, power: f64) -> Option<Sketch> {
+    pub fn power(&self, power: f64) -> Result<Sketch, Unbounded> {
+        // Large powers and their reciprocals have large norms, of which doubles see no small product.
+        if power.abs() > LARGEST_POWER {
+            return Ok(self.power(power / 2.0)?.squared());
+        }
+        self.power_within(power).ok_or(Unbounded::Coarse)
+    }
+
+    fn power_within(&self, power: f64) -> Option<Sketch> {
         let (f, grading) = (&self.base, self.grading);
         let mut found = f.raw_power(power, grading);
         let opposite = f.raw_power(-power, grading);
@@ -223,12 +292,21 @@ impl Powers {
     }
 }
 
+/// `sum += factor series`, as far as the sum reaches.
+fn add_multiple(sum: &mut [f64], factor: f64, series: &[f64]) {
+    if factor != 0.0 {
+        for (sum, x) in sum.iter_mut().zip(series) {
+            *sum += factor * x;
+        }
+    }
+}
+
 /// How many leading norms leave less than the limit.
-fn counting(norms: &[f64]) -> usize {
+fn counting(norms: &[f64], limit: f64) -> usize {
     let mut rest = 0.0;
     let enough = norms.iter().rposition(|norm| {
         rest += norm;
-        rest.is_nan() || rest >= LEFT_OUT
+        rest.is_nan() || rest >= limit
     });
     enough.map_or(1, |last| last + 1)
 }

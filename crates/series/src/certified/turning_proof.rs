@@ -3,7 +3,7 @@
 use super::motion_proof::SETTLED;
 use super::one_variable::reciprocal;
 use super::response::{Cause, response};
-use super::sketch::{Grading, Powers, Sketch, over_one_minus};
+use super::sketch::{Detail, Grading, Powers, Sketch, Unbounded, in_detail, over_one_minus};
 use super::turning::{Neighbourhood, TurningScale};
 use super::units::Scale;
 use crate::kernels::{Fixed, Workshop, power_of_two};
@@ -33,19 +33,31 @@ pub(crate) fn bound(
     (position, velocity): (Magnitude, Magnitude),
     shift: &Fixed,
 ) -> Option<Magnitude> {
+    in_detail(|detail| bound_in(detail, shop, scale, turning, near, (position, velocity), shift))
+}
+
+fn bound_in(
+    detail: Detail,
+    shop: &Workshop,
+    scale: &Scale,
+    turning: &TurningScale,
+    near: &Neighbourhood,
+    (position, velocity): (Magnitude, Magnitude),
+    shift: &Fixed,
+) -> Result<Magnitude, Unbounded> {
     let unit = scale.lattice.unit as f64;
     let [a, c] = scale.powers().map(|steps| steps as f64 / unit);
     let grading = Grading { row: 1.0, column: 1.0 };
-    let powers = Powers::new(Sketch::new(&near.rows, shop.bits(), grading)?, grading)?;
+    let powers = Powers::new(Sketch::new(&near.rows, shop.bits(), grading, detail)?, grading)?;
     let stiffness = powers.power(a - 1.0)?;
     let drag = if scale.shared { stiffness.clone() } else { powers.power(c - 1.0)? };
     let rows = near.rows.len() as f64;
     let coefficients = exact(rows * (rows + 1.0) / 2.0);
 
     // The powers: every coefficient of row n misses its sum by n times less than 2 units.
-    let power_error = |power: f64, lower: &Sketch| {
+    let power_error = |power: f64, lower: &Sketch| -> Result<Magnitude, Unbounded> {
         let defects = coefficients * Magnitude::exact(2.0);
-        Some(lower.norm() * powers.base() * (Magnitude::ONE + powers.power(-power - 1.0)?.norm() * defects))
+        Ok(lower.norm() * powers.base() * (Magnitude::ONE + powers.power(-power - 1.0)?.norm() * defects))
     };
     let pull_error = power_error(a, &stiffness)?;
     let drag_error = if scale.shared {
@@ -68,7 +80,7 @@ pub(crate) fn bound(
         },
         Cause { step: 1, sizes: &by_degree(&drag, friction), weight: &|_, place| 1.0 / place as f64 },
     ];
-    let growth = response(0, &causes, MOST_DEGREES)?;
+    let growth = response(0, &causes, MOST_DEGREES).ok_or(Unbounded::Large)?;
     let half = exact(0.5);
     let rounding = coefficients * Magnitude::exact(2.0);
     let forcing = rho * rho * pull_error + rho * drag_error * exact(1.0 / c);
@@ -77,7 +89,7 @@ pub(crate) fn bound(
     let small = power_of_two(-i64::from(shop.bits()));
     let relative = error * small * powers.reciprocal();
     if (relative * exact(a.max(c).max(1.0) + 8.0)).to_f64() > 1e-6 {
-        return None;
+        return Err(Unbounded::Large);
     }
     // l E_l: as above, each step divided by its larger factor only.
     let slope_error = rho * velocity
@@ -93,7 +105,7 @@ pub(crate) fn bound(
     // What evaluating the polynomial and its derivatives costs.
     let size = shift.norm(i64::from(shop.bits()), 1.0);
     if size.to_f64() > 1.0 - 1e-6 {
-        return None;
+        return Err(Unbounded::Large);
     }
     let evaluation = |derivative: u32| {
         let places = exact(PRODUCT * rows);
@@ -109,11 +121,12 @@ pub(crate) fn bound(
     let inverse = inverse.norm(i64::from(shop.bits()), 1.0);
     let curvature_error = evaluation(2) + slope_error * exact(rows);
     let gap = (gap.norm(0, 1.0) + exact(PRODUCT * rows) + inverse * curvature_error) * small;
-    let inverse = inverse * over_one_minus(gap)?;
+    let inverse = inverse * over_one_minus(gap).ok_or(Unbounded::Large)?;
     let shift_error = inverse * residual * Magnitude::exact(2.0);
     let contraction = moment(3) * inverse * shift_error * small * Magnitude::exact(4.0);
     (contraction.to_f64() < 0.5)
         .then(|| error + evaluation(0) + moment(1) * shift_error * Magnitude::exact(2.0))
+        .ok_or(Unbounded::Large)
 }
 
 /// `sum_k |P_(k,l)|` for every degree `l`.

@@ -1,38 +1,45 @@
 //! Exact trajectories by way of many word-size primes.
 //!
-//! The same pipeline that serves rationals and balls runs modulo one prime after the other; a proved
-//! bound on denominators and sizes says how many primes determine every coefficient.
+//! The series are derived modulo one prime after the other; a proved bound on denominators and sizes says how many
+//! primes determine every coefficient.
 
+mod damped;
 mod denominators;
+mod linearised;
+mod modulus;
 mod reconstruct;
-mod residue;
+mod undamped;
 
 use crate::kernels::Prime;
+use crate::recurrence;
 use crate::trajectories::index;
-use crate::{BoundError, TailBound, Trajectories, Units, turning_time};
+use crate::{BoundError, TailBound, Trajectories, turning_time};
+use damped::damped_orders;
 use denominators::Denominators;
+use modulus::Modulus;
 use num_rational::{BigRational, Ratio};
 use num_traits::One;
 use rayon::prelude::*;
 use reconstruct::Basis;
-use residue::{Residue, modulo};
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use restitution_real::convert::big_integer;
 use rug::Integer;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use undamped::Undamped;
 
 /// Terms up to which the plain rational recurrence is as fast.
 const FEW_TERMS: usize = 24;
 /// Largest lattice index that the sieve for the denominators is made for.
 const LARGEST_INDEX: i64 = 100_000_000;
 
-impl Trajectories<BigRational> {
-    /// Derives `x_0 .. x_N` exactly, as [`Trajectories::derive`] does, but modulo word-size primes.
+impl Trajectories {
+    /// Derives `x_0 .. x_N` for `N = damping_order` with the first `terms` coefficients each.
     ///
     /// The numerators over a proved multiple of the denominators are found modulo enough primes below
     /// `2^62` to determine them, by the proved bound of [`TailBound`] on their size (`docs/error-bounds.md`).
-    /// Cost: `O(J log J)` word operations for each prime and order, about `J` primes; split over all cores.
+    /// Cost: `O(J log J)` word operations for each prime and order, about `J` primes; split over all cores. Few terms,
+    /// and laws without such a bound, are done in plain fractions.
     ///
     /// # Examples
     ///
@@ -59,8 +66,8 @@ impl Trajectories<BigRational> {
         let small = terms <= FEW_TERMS || index(law, damping_order, terms) > LARGEST_INDEX;
         let sizes = if small { None } else { sizes(law, damping_order, terms).ok() };
         match sizes {
-            // Where no bound on the sizes is known, exact arithmetic needs none.
-            None => Self::derive(law, damping_order, terms, &Units::natural()),
+            // Where no bound on the sizes is known, fractions need none.
+            None => Self::from_orders(law, terms, recurrence::coefficients(law, damping_order, terms)),
             Some(sizes) => reconstruct_all(law, damping_order, terms, &sizes, watch),
         }
     }
@@ -93,7 +100,7 @@ fn reconstruct_all(
     terms: usize,
     sizes: &[Vec<i64>],
     watch: &(dyn Fn(Ratio<usize>) + Sync),
-) -> Trajectories<BigRational> {
+) -> Trajectories {
     let denominators = Denominators::bound(law.lattice(), damping_order, terms);
     let multiples: Vec<Vec<Integer>> =
         (0..=damping_order).map(|n| denominators.multiples(n, terms)).collect();
@@ -131,23 +138,22 @@ fn numerators_modulo(
     terms: usize,
     denominators: &Denominators,
 ) -> Vec<Vec<u64>> {
-    modulo(prime, || {
-        let trajectories = Trajectories::<Residue>::derive(law, damping_order, terms, &Units::natural());
-        let row = |n: usize| {
-            let mut values: Vec<u64> =
-                trajectories.coefficients(n).unwrap_or_default().iter().map(|q| q.value()).collect();
-            let mut multiple = prime.one;
-            let mut done = 0;
-            denominators.growth(n, terms, |j, factor| {
-                values[done..j].iter_mut().for_each(|value| *value = prime.mul(*value, multiple));
-                done = done.max(j);
-                multiple = prime.mul(multiple, prime.form(factor as i64));
-            });
-            values[done..].iter_mut().for_each(|value| *value = prime.mul(*value, multiple));
-            values
-        };
-        (0..=damping_order).map(row).collect()
-    })
+    let modulus = Modulus::new(prime);
+    let undamped = Undamped::solve(&modulus, law, terms);
+    let rows = damped_orders(&modulus, law, undamped, damping_order);
+    let numerators = |(n, row): (usize, Vec<u64>)| {
+        let mut values: Vec<u64> = row.into_iter().map(|q| prime.value(q)).collect();
+        let mut multiple = prime.one;
+        let mut done = 0;
+        denominators.growth(n, terms, |j, factor| {
+            values[done..j].iter_mut().for_each(|value| *value = prime.mul(*value, multiple));
+            done = done.max(j);
+            multiple = prime.mul(multiple, prime.form(factor as i64));
+        });
+        values[done..].iter_mut().for_each(|value| *value = prime.mul(*value, multiple));
+        values
+    };
+    rows.into_iter().enumerate().map(numerators).collect()
 }
 
 #[cfg(test)]
@@ -161,9 +167,9 @@ mod tests {
         {
             let law: ForceLaw = law.parse().unwrap();
             let exact = Trajectories::exact(&law, order, terms);
-            let plain = Trajectories::<BigRational>::derive(&law, order, terms, &Units::natural());
-            for n in 0..=order {
-                assert_eq!(exact.coefficients(n), plain.coefficients(n), "{law} {n}");
+            let plain = recurrence::coefficients(&law, order, terms);
+            for (n, plain) in plain.iter().enumerate() {
+                assert_eq!(exact.coefficients(n).unwrap(), plain, "{law} {n}");
             }
         }
     }
