@@ -13,13 +13,19 @@ fn collision(law: &str, end: End) -> Collision {
 type PieceOf = (&'static str, End, (i64, i64), (i64, i64), f64);
 
 /// What the remainder must stay below at degree 8 and 80 bits.
-const PIECES: [PieceOf; 6] = [
+const PIECES: [PieceOf; 12] = [
     ("3/2,1/2", End::ZeroCompression, (0, 1), (1, 20), 1e-13),
-    ("3/2,1/2", End::ZeroCompression, (49, 50), (51, 50), 1e-16),
+    ("3/2,1/2", End::ZeroCompression, (49, 50), (51, 50), 1e-15),
     ("3/2,1/2", End::ZeroForce, (49, 50), (51, 50), 1e-14),
     ("3/2,1/2", End::ZeroForce, (3, 1), (31, 10), 1e-15),
-    ("1,0", End::ZeroCompression, (1, 2), (11, 20), 1e-13),
-    ("2,1", End::ZeroCompression, (1, 3), (2, 5), 1e-13),
+    ("3/2,1/2", End::ZeroCompression, (3, 1), (49, 16), 1e-14),
+    ("3/2,1/2", End::ZeroCompression, (6, 1), (49, 8), 1e-15),
+    ("3/2,1/2", End::ZeroForce, (1, 16), (5, 64), 1e-12),
+    ("3/2,1/2", End::ZeroForce, (1, 1_000_000), (2, 1_000_000), 1e-15),
+    ("3/2,1/2", End::ZeroForce, (100, 1), (102, 1), 1e-14),
+    ("3/2,1/2", End::ZeroForce, (1000, 1), (1008, 1), 1e-14),
+    ("1,0", End::ZeroCompression, (1, 2), (11, 20), 1e-12),
+    ("2,1", End::ZeroCompression, (1, 3), (2, 5), 1e-12),
 ];
 
 #[test]

@@ -39,7 +39,9 @@ impl Motion {
         };
         let after = Jets::constant(&events.end(), events.bits).range();
         if after.low.is_positive() {
-            return Some(Found::Beyond);
+            // At zero force the balance is positive again beyond a small compression below 0.
+            let place = Jets::constant(&course.coordinate.end(), course.coordinate.bits).range();
+            return place.low.is_positive().then_some(Found::Beyond);
         }
         if !after.high.is_negative() {
             return None;

@@ -72,6 +72,9 @@ pub(crate) struct Motion {
 const SLOW: f64 = 0.75;
 /// Deviations of the pace from 1, summed, up to which it is used.
 const LARGEST_DEVIATION: f64 = 0.75;
+/// By how much the pace to zero force must fall with each degree: soon after the turning point, where the velocities
+/// of an interval still differ in size, what is cut off of it would be the largest error of all.
+const RATE: f64 = 0.01;
 /// Relative neighbourhood, `2^-6`, in which the bounds of the force hold.
 const ROOM: i32 = -6;
 
@@ -142,8 +145,10 @@ impl Motion {
             quotient(&time, &time[..1], self.flow.bits)
         });
         let moderate = |pace: &Vec<Integer>| {
-            let rest = crate::fixed::size(&pace[1..], self.flow.bits);
-            rest.is_finite() && rest.mid() < &LARGEST_DEVIATION
+            let size = |part: &[Integer]| crate::fixed::size(part, self.flow.bits).mid().to_f64();
+            let (all, last) = (size(&pace[1..]), size(&pace[pace.len() - 1..]));
+            let known = self.end == End::ZeroCompression || last <= all * RATE.powi(pace.len() as i32 - 2);
+            all < LARGEST_DEVIATION && known
         };
         pace.flatten().filter(moderate).unwrap_or_else(even)
     }
@@ -312,13 +317,16 @@ fn positive(bound: &Ball) -> Ball {
     if bound.is_positive() { bound.clone() } else { zero() }
 }
 
-/// Bits lost from one degree in `theta` to the next, over the last quarter.
+/// Bits below which a coefficient is what rounding leaves of it and tells nothing.
+const NOISE: f64 = 16.0;
+
+/// Bits lost from one degree in `theta` to the next, over the last of them that rise above the rounding.
 fn decay(coordinate: &Jets, flow: &Flow) -> f64 {
     let height = |k: usize| {
         let row = coordinate.row(k).iter().map(Integer::significant_bits).max();
         f64::from(row.unwrap_or(0))
     };
     let top = height(0).max(height(1));
-    let last = flow.order * 3 / 4;
-    (last..=flow.order).map(|k| (top - height(k)) / k as f64).fold(f64::INFINITY, f64::min)
+    let last = (1..=flow.order).rev().find(|k| height(*k) > NOISE).unwrap_or(1);
+    (last - last / 4..=last).map(|k| (top - height(k)) / k as f64).fold(f64::INFINITY, f64::min)
 }
