@@ -34,6 +34,7 @@ mod pade_constructions;
 mod pade_contact;
 mod pade_series;
 mod pade_stability;
+mod proved;
 mod random_requests;
 mod reference;
 mod series_snapshots;

@@ -17,6 +17,7 @@ mod listing;
 mod loss;
 mod near_zero;
 mod pieces;
+pub mod proof;
 mod reference;
 mod target;
 mod tier_tables;

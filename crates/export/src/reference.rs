@@ -251,7 +251,7 @@ fn factor(end: End, law: &ForceLaw) -> Result<Float, DirectError> {
     })
 }
 
-fn direct_end(end: End) -> restitution_direct::End {
+pub(crate) fn direct_end(end: End) -> restitution_direct::End {
     match end {
         End::ZeroCompression => restitution_direct::End::ZeroCompression,
         End::ZeroForce => restitution_direct::End::ZeroForce,

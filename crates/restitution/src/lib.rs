@@ -6,6 +6,8 @@ pub mod bounds;
 mod end;
 mod epsilon;
 mod fifth_root;
+#[doc(hidden)]
+pub mod forms;
 mod inverse;
 mod pieces;
 mod rounding;

@@ -44,6 +44,14 @@ impl Piece {
         [c0, c1, c2, c3, c4, last, last << LIFT].map(f64::from_bits)
     }
 
+    /// The row with the bits of one word increased.
+    pub(crate) fn with_mistake(mut self, word: usize, units: u64) -> Self {
+        if let Some(bits) = self.0.get_mut(word) {
+            *bits = bits.wrapping_add(units);
+        }
+        self
+    }
+
     /// Returns `c_0`, the coefficient of restitution at the centre.
     #[inline(always)]
     pub(crate) fn constant(&self) -> f64 {
@@ -58,14 +66,14 @@ impl Piece {
 
     /// Returns the coefficient of restitution at `centre + t`.
     #[inline(always)]
-    pub(crate) fn value(&self, t: f64) -> f64 {
-        polynomial(&self.all(), t)
+    pub(crate) fn value<T: Number>(&self, t: T) -> T {
+        polynomial(&self.all().map(|c| t.of(c)), t)
     }
 
     /// Returns one less that.
     #[inline(always)]
-    pub(crate) fn one_minus(&self, t: f64) -> f64 {
-        one_minus(&self.all(), self.complement(), t)
+    pub(crate) fn one_minus<T: Number>(&self, t: T) -> T {
+        one_minus(&self.all().map(|c| t.of(c)), t.of(self.complement()), t)
     }
 
     /// Returns the mean slope from the centre to `centre + t`, `(value(t) - c_0)/t`.
@@ -78,23 +86,22 @@ impl Piece {
 /// Returns one less the polynomial, from one less its constant.
 #[inline(always)]
 pub(crate) fn one_minus<T: Number>(c: &[T; 7], complement: T, t: T) -> T {
-    t.negated().multiply_add(slope(c, t), complement)
+    t.clone().negated().multiply_add(slope(c, t), complement)
 }
 
 /// Returns `c_0 + c_1 t + … + c_6 t^6`.
 #[inline(always)]
 pub(crate) fn polynomial<T: Number>(c: &[T; 7], t: T) -> T {
-    t.multiply_add(slope(c, t), c[0])
+    t.clone().multiply_add(slope(c, t), c[0].clone())
 }
 
 /// Returns `c_1 + c_2 t + … + c_6 t^5` by Estrin's scheme.
 #[inline(always)]
 fn slope<T: Number>(c: &[T; 7], t: T) -> T {
-    let t2 = t * t;
-    let low = t.multiply_add(c[2], c[1]);
-    let middle = t.multiply_add(c[4], c[3]);
-    let high = t.multiply_add(c[6], c[5]);
-    t2.multiply_add(t2.multiply_add(high, middle), low)
+    let pair = |k: usize| t.clone().multiply_add(c[k + 1].clone(), c[k].clone());
+    let (low, middle, high) = (pair(1), pair(3), pair(5));
+    let t2 = t.clone() * t;
+    t2.clone().multiply_add(t2.multiply_add(high, middle), low)
 }
 
 /// Pieces of `2^-bits` of a factor of two each, in `x + shift`.
@@ -134,6 +141,11 @@ impl Grid {
             end = end.next_down();
         }
         end
+    }
+
+    /// Returns where piece `index` starts.
+    pub(crate) fn start(&self, index: usize) -> f64 {
+        f64::from_bits((self.first + index as u64) << (52 - self.bits)) - self.shift
     }
 
     /// Returns the centre of piece `index`.

@@ -13,15 +13,30 @@ pub(crate) fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
     }
 }
 
-/// A number, or several side by side: what the polynomials are evaluated in.
-pub(crate) trait Number: Copy + core::ops::Mul<Output = Self> {
-    /// `self b + c` as [`multiply_add`] rounds it.
+/// What the forms are evaluated in: a number, several side by side, or what a proof follows instead of one.
+pub trait Number: Clone + core::ops::Mul<Output = Self> {
+    /// A constant of a form.
+    fn of(&self, constant: f64) -> Self;
+    /// `self b + c`: rounded once where the target has the instruction and `std` is there, else twice.
+    #[must_use]
     fn multiply_add(self, b: Self, c: Self) -> Self;
     /// The number with the opposite sign.
+    #[must_use]
     fn negated(self) -> Self;
 }
 
+/// A number that has a square root.
+pub(crate) trait Rooted: Number {
+    /// The square root of a number of `[0, 1]`, within 1 ulp.
+    fn square_root(self) -> Self;
+}
+
 impl Number for f64 {
+    #[inline(always)]
+    fn of(&self, constant: f64) -> Self {
+        constant
+    }
+
     #[inline(always)]
     fn multiply_add(self, b: Self, c: Self) -> Self {
         multiply_add(self, b, c)
@@ -30,6 +45,13 @@ impl Number for f64 {
     #[inline(always)]
     fn negated(self) -> Self {
         -self
+    }
+}
+
+impl Rooted for f64 {
+    #[inline(always)]
+    fn square_root(self) -> Self {
+        square_root(self)
     }
 }
 

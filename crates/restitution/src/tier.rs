@@ -1,6 +1,6 @@
 //! One cheaper evaluator: polynomials on pieces that keep a tolerance.
 
-use crate::rounding::multiply_add;
+use crate::rounding::Number;
 use crate::{End, epsilon};
 
 /// Polynomials of degree `WIDTH - 1` on `ROWS` pieces that keep a tolerance.
@@ -94,20 +94,41 @@ impl<const ROWS: usize, const WIDTH: usize> Tier<ROWS, WIDTH> {
         let row = &self.rows[index.min(ROWS - 1)];
         let fraction = (bits << self.bits) & (u64::MAX >> 12);
         let distance = 2.0 - f64::from_bits(1.0_f64.to_bits() | fraction);
-        multiply_add(distance, slope(row, distance), row[0])
+        value(row, distance)
+    }
+
+    /// Where the polynomial of a row holds, for proofs.
+    #[doc(hidden)]
+    pub fn ends(&self, row: usize) -> (f64, f64) {
+        let first = self.shift.to_bits() >> (52 - self.bits);
+        let start = |row: usize| f64::from_bits((first + row as u64) << (52 - self.bits)) - self.shift;
+        (start(row), start(row + 1))
+    }
+
+    /// The value of a row so far before the end of it, as a part of the width, for proofs; that of the last beyond.
+    #[doc(hidden)]
+    pub fn form<T: Number>(&self, row: usize, distance: T) -> T {
+        value(&self.rows[row.min(ROWS - 1)], distance)
+    }
+
+    /// What is added to `u` to find its row.
+    #[doc(hidden)]
+    pub fn shift(&self) -> f64 {
+        self.shift
     }
 }
 
-/// Returns `c_1 + c_2 s + …`, by pairs.
+/// Returns `c_0 + c_1 s + …`, by pairs from `c_1` on.
 #[inline(always)]
-fn slope<const WIDTH: usize>(c: &[f64; WIDTH], s: f64) -> f64 {
-    let s2 = s * s;
-    let pair = |k: usize| multiply_add(c[k + 1], s, c[k]);
-    let (mut value, mut k) =
-        if WIDTH.is_multiple_of(2) { (c[WIDTH - 1], WIDTH - 1) } else { (pair(WIDTH - 2), WIDTH - 2) };
+fn value<T: Number, const WIDTH: usize>(c: &[f64; WIDTH], s: T) -> T {
+    let s2 = s.clone() * s.clone();
+    let at = |k: usize| s.of(c[k]);
+    let pair = |k: usize| at(k + 1).multiply_add(s.clone(), at(k));
+    let (mut slope, mut k) =
+        if WIDTH.is_multiple_of(2) { (at(WIDTH - 1), WIDTH - 1) } else { (pair(WIDTH - 2), WIDTH - 2) };
     while k > 1 {
         k -= 2;
-        value = multiply_add(value, s2, pair(k));
+        slope = slope.multiply_add(s2.clone(), pair(k));
     }
-    value
+    s.clone().multiply_add(slope, at(0))
 }

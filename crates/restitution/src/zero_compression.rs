@@ -1,7 +1,7 @@
 //! The contact that ends at zero compression.
 
 use crate::fifth_root::Root;
-use crate::rounding::{multiply_add, two_product};
+use crate::rounding::{Number, two_product};
 use crate::tables::zero_compression::{NEAR, PIECES, R5};
 
 pub(crate) use crate::tables::zero_compression::{GRID, NEAR_END};
@@ -52,11 +52,14 @@ pub(crate) fn one_minus_epsilon(u: f64) -> f64 {
 
 /// `1 - epsilon` on `[0, NEAR_END)`.
 #[inline(always)]
-pub(crate) fn near(u: f64) -> f64 {
-    let u2 = u * u;
-    let low = multiply_add(u2, multiply_add(u, NEAR[4], NEAR[3]), multiply_add(u, NEAR[2], NEAR[1]));
-    let high = multiply_add(u2, NEAR[7], multiply_add(u, NEAR[6], NEAR[5]));
-    u * multiply_add(u, multiply_add(u2 * u2, high, low), NEAR[0])
+pub(crate) fn near<T: Number>(u: T) -> T {
+    let c = |k: usize| u.of(NEAR[k]);
+    let pair = |k: usize| u.clone().multiply_add(c(k + 1), c(k));
+    let u2 = u.clone() * u.clone();
+    let low = u2.clone().multiply_add(pair(3), pair(1));
+    let high = u2.clone().multiply_add(c(7), pair(5));
+    let u4 = u2.clone() * u2;
+    u.clone() * u.clone().multiply_add(u4.multiply_add(high, low), c(0))
 }
 
 #[cold]

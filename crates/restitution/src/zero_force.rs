@@ -2,7 +2,7 @@
 
 use crate::fifth_root::Root;
 use crate::pieces::{Grid, polynomial};
-use crate::rounding::{multiply_add, square_root, two_product};
+use crate::rounding::{Number, Rooted, two_product};
 use crate::tables::zero_force::{BEYOND, LIMIT, NEAR_HALVES, NEAR_WHOLES, PIECES};
 
 pub(crate) use crate::tables::zero_force::{GRID, NEAR_END};
@@ -55,15 +55,23 @@ pub(crate) fn one_minus_epsilon(u: f64) -> f64 {
 
 /// `1 - epsilon = u (a(u) + u^(3/2) b(u))` on `[0, NEAR_END)`.
 #[inline(always)]
-pub(crate) fn near(u: f64) -> f64 {
+pub(crate) fn near<T: Rooted>(u: T) -> T {
+    near_by_root(u.clone().square_root(), u)
+}
+
+/// The same with the square root of `u` given.
+#[inline(always)]
+pub(crate) fn near_by_root<T: Number>(root: T, u: T) -> T {
+    let pair = |c: &[f64], k: usize| u.clone().multiply_add(u.of(c[k + 1]), u.of(c[k]));
     let (a, b) = (&NEAR_WHOLES, &NEAR_HALVES);
-    let u2 = u * u;
-    let u4 = u2 * u2;
-    let low = multiply_add(u2, multiply_add(u, a[4], a[3]), multiply_add(u, a[2], a[1]));
-    let high = multiply_add(u2, multiply_add(u, a[8], a[7]), multiply_add(u, a[6], a[5]));
-    let halves = multiply_add(u2, multiply_add(u, b[3], b[2]), multiply_add(u, b[1], b[0]));
-    let halves = multiply_add(u4, multiply_add(u, b[5], b[4]), halves);
-    u * multiply_add(u, multiply_add(square_root(u), halves, multiply_add(u4, high, low)), a[0])
+    let u2 = u.clone() * u.clone();
+    let u4 = u2.clone() * u2.clone();
+    let low = u2.clone().multiply_add(pair(a, 3), pair(a, 1));
+    let high = u2.clone().multiply_add(pair(a, 7), pair(a, 5));
+    let halves = u2.multiply_add(pair(b, 2), pair(b, 0));
+    let halves = u4.clone().multiply_add(pair(b, 4), halves);
+    let rest = root.multiply_add(halves, u4.multiply_add(high, low));
+    u.clone() * u.clone().multiply_add(rest, u.of(a[0]))
 }
 
 #[cold]

@@ -4,7 +4,7 @@ use super::block::Batch;
 use super::machine::{BLOCK, Block, Compiled, Machine};
 use crate::fifth_root::ROOTS;
 use crate::pieces::{LIFT, Piece, one_minus, polynomial};
-use crate::rounding::Number;
+use crate::rounding::{Number, Rooted};
 use core::arch::x86_64::__m128d;
 use core::ops::Mul;
 use pulp::x86::{V3, V4};
@@ -161,6 +161,18 @@ impl<S: Width> Number for Vector<S> {
     #[inline(always)]
     fn negated(self) -> Self {
         Self(self.0, self.0.neg_f64s(self.1))
+    }
+
+    #[inline(always)]
+    fn of(&self, constant: f64) -> Self {
+        Self(self.0, self.0.splat_f64s(constant))
+    }
+}
+
+impl<S: Width> Rooted for Vector<S> {
+    #[inline(always)]
+    fn square_root(self) -> Self {
+        Self(self.0, self.0.sqrt_f64s(self.1))
     }
 }
 

@@ -1,0 +1,176 @@
+//! The errors of the evaluator, proved for every argument and not at points.
+//!
+//! A form is followed in two ways by the functions that evaluate it ([`restitution::forms`]). In exact arithmetic it is a
+//! polynomial, whose distance from `epsilon` the certified interpolant of [`restitution_direct`] bounds on the whole interval; in
+//! bounds of errors every operation adds half a unit of its largest result. docs/evaluator.md has the parts.
+
+mod cover;
+mod polynomial;
+mod rounded;
+mod tiers;
+
+use crate::reference::direct_end;
+use polynomial::{PREC, Polynomial};
+use restitution::End;
+use restitution::forms::{self, Form, Number};
+use restitution_direct::{Collision, DirectError, Interpolant, Variable};
+use restitution_law::ForceLaw;
+use restitution_real::Ball;
+use rounded::{Rounded, half_unit};
+use rug::Float;
+
+pub use cover::{Group, groups};
+pub use tiers::tier_near_zero;
+
+/// Parts of a piece, each with its own bounds.
+const PARTS: u32 = 16;
+
+/// A bound that is proved, and where it is largest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Worst {
+    /// The bound.
+    pub bound: f64,
+    /// The start of the part of a piece in which it is reached.
+    pub at: f64,
+}
+
+impl Worst {
+    const NONE: Self = Self { bound: 0.0, at: 0.0 };
+
+    fn or(self, bound: f64, at: f64) -> Self {
+        if bound <= self.bound { self } else { Self { bound, at } } // NaN wins
+    }
+}
+
+/// What was proved for every argument of some forms.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Proof {
+    /// Of `epsilon(u)`, in units in the last place.
+    pub epsilon: Worst,
+    /// Of `one_minus_epsilon(u)`, in units in the last place.
+    pub one_minus_epsilon: Worst,
+    /// Of the forms in exact arithmetic without the rounding of their constants, relative to `epsilon`.
+    pub approximation: Worst,
+}
+
+impl Proof {
+    const NONE: Self =
+        Self { epsilon: Worst::NONE, one_minus_epsilon: Worst::NONE, approximation: Worst::NONE };
+
+    /// What holds for the arguments of both.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        let or = |a: Worst, b: Worst| a.or(b.bound, b.at);
+        Self {
+            epsilon: or(self.epsilon, other.epsilon),
+            one_minus_epsilon: or(self.one_minus_epsilon, other.one_minus_epsilon),
+            approximation: or(self.approximation, other.approximation),
+        }
+    }
+}
+
+/// An interval of `u` in the variable of an interpolant, from -1 to 1.
+struct Span {
+    /// `u` as a polynomial.
+    u: Polynomial,
+    root: Option<Polynomial>,
+    /// `epsilon` as a polynomial, within `remainder`.
+    epsilon: Polynomial,
+    remainder: f64,
+}
+
+impl Span {
+    /// The part from `low` to `high` of the interval of an interpolant.
+    fn new(interpolant: &Interpolant, low: f64, high: f64) -> Self {
+        let exact = |x: f64| Float::with_val(PREC, x);
+        let variable = |x: f64, round| match interpolant.variable() {
+            Variable::Damping => exact(x),
+            Variable::Root => Float::with_val_round(PREC, exact(x).sqrt_ref(), round).0,
+        };
+        let (from, to) = (variable(low, rug::float::Round::Down), variable(high, rug::float::Round::Up));
+        // A little wider than asked for: what rounding takes off the ends.
+        let middle = Float::with_val(PREC, &from + &to) / 2u32;
+        let half = Float::with_val(PREC, &to - &from) * (0.5 + f64::EPSILON);
+        let line = Polynomial::line(&middle, &half);
+        let width = Ball::from_integer(1, PREC) / Ball::exact(interpolant.half_width().clone());
+        let inner =
+            line.plus(&Polynomial::constant(&Float::with_val(PREC, -interpolant.center()))).scaled(&width);
+        let remainder = interpolant.remainder().upper().to_f64_round(rug::float::Round::Up);
+        let (u, root) = match interpolant.variable() {
+            Variable::Damping => (line, None),
+            Variable::Root => (line.clone() * line.clone(), Some(line)),
+        };
+        Self { u, root, epsilon: Polynomial::composed(interpolant.coefficients(), &inner), remainder }
+    }
+
+    /// From 0 on, where `epsilon` is 1 within `remainder`.
+    fn of_nothing_lost(high: f64, remainder: f64) -> Self {
+        let half = Float::with_val(PREC, high) / 2u32;
+        let u = Polynomial::line(&half, &half);
+        Self { epsilon: u.of(1.0), root: None, u, remainder }
+    }
+
+    /// A bound of what a polynomial differs from `epsilon` by; the constant part of it goes first.
+    fn missed(&self, ours: &Polynomial) -> (f64, f64) {
+        let (constant, all) = ours.plus(&self.epsilon.clone().negated()).size();
+        (constant, all + self.remainder)
+    }
+
+    /// The same for `1 - epsilon`.
+    fn missed_by_loss(&self, ours: &Polynomial) -> f64 {
+        let kept = ours.clone().negated().plus(&ours.of(1.0));
+        self.missed(&kept).1
+    }
+}
+
+/// Proves a piece of the table.
+fn piece(interpolant: &Interpolant, form: &Form, end: End) -> Proof {
+    let margin = (form.high + 8.0) * f64::EPSILON; // the place of u is found by a rounded sum with 8 or 1/2
+    let (low, high) = ((form.low - margin).max(0.0), form.high + margin);
+    let span = Span::new(interpolant, low, high);
+    let t = span.u.plus(&span.u.of(-form.centre));
+    let (constant, missed) = span.missed(&form.epsilon(t.clone()));
+    let missed_by_loss = span.missed_by_loss(&form.one_minus_epsilon(t));
+    let mut proof = Proof::NONE;
+    for part in 0..PARTS {
+        let at = |part: u32| low + (high - low) * (f64::from(part) / f64::from(PARTS));
+        let (from, to) = (at(part).next_down() - form.centre, at(part + 1).next_up() - form.centre);
+        let exact = form.low >= form.centre / 2.0; // Sterbenz
+        let error = if exact { 0.0 } else { half_unit(from.abs().max(to.abs())) };
+        let t = Rounded::new(from.next_down(), to.next_up(), error);
+        let kept: Rounded = form.epsilon(t);
+        proof.epsilon = proof.epsilon.or(kept.units(missed), at(part));
+        proof.approximation = proof.approximation.or((missed - constant) / kept.low, at(part));
+        if at(part + 1) >= forms::near_end(end) {
+            let lost: Rounded = form.one_minus_epsilon(t);
+            proof.one_minus_epsilon = proof.one_minus_epsilon.or(lost.units(missed_by_loss), at(part));
+        }
+    }
+    proof
+}
+
+/// Proves the form near 0 from `low` to `high`.
+fn near(interpolant: &Interpolant, low: f64, high: f64, end: End) -> Proof {
+    let span = Span::new(interpolant, low, high);
+    let root = span.root.clone().unwrap_or_else(|| span.u.clone()); // used at zero force alone
+    let missed = span.missed_by_loss(&forms::near(root, span.u.clone(), end));
+    let mut proof = Proof::NONE;
+    for part in 0..PARTS {
+        let at = |part: u32| low + (high - low) * (f64::from(part) / f64::from(PARTS));
+        let (from, to) = (at(part).next_down(), at(part + 1).next_up());
+        let root = (from.sqrt().next_down(), to.sqrt().next_up());
+        let root = Rounded::new(root.0, root.1, 2.0 * half_unit(root.1));
+        let lost: Rounded = forms::near(root, Rounded::new(from, to, 0.0), end);
+        proof.one_minus_epsilon = proof.one_minus_epsilon.or(lost.units(missed), at(part));
+        if end == End::ZeroForce {
+            let kept = lost.negated().plus(lost.of(1.0));
+            proof.epsilon = proof.epsilon.or(kept.units(missed), at(part));
+        }
+        proof.approximation = proof.approximation.or(missed, at(part));
+    }
+    proof
+}
+
+fn collision(end: End) -> Result<Collision, DirectError> {
+    Collision::new(&ForceLaw::viscoelastic_spheres(), direct_end(end))
+}

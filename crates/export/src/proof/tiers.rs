@@ -1,0 +1,67 @@
+//! The cheaper tiers, proved like the table.
+
+use super::cover::LEAST;
+use super::rounded::{Rounded, half_unit};
+use super::{Group, PARTS, Span};
+use restitution::forms::Number;
+use restitution::tiers::Tier;
+use restitution_direct::DirectError;
+
+impl Group {
+    /// Proves a tier in this interval: the largest error relative to `epsilon`; 0 if the tier has no row here.
+    ///
+    /// # Errors
+    ///
+    /// A [`DirectError`] if there is no interpolant.
+    pub fn prove_tier<const ROWS: usize, const WIDTH: usize>(
+        &self,
+        tier: &Tier<ROWS, WIDTH>,
+    ) -> Result<f64, DirectError> {
+        let own: Vec<_> = (0..ROWS)
+            .map(|row| {
+                let (low, high) = tier.ends(row);
+                (row, low.max(self.low()), high.min(self.high()).min(tier.far()))
+            })
+            .filter(|(_, low, high)| low < high)
+            .collect();
+        if tier.end() != self.end() || own.is_empty() {
+            return Ok(0.0);
+        }
+        let interpolant = self.interpolant()?;
+        let errors = own.into_iter().map(|(row, low, high)| {
+            let margin = half_unit(high + tier.shift());
+            let span = Span::new(interpolant, (low - margin).max(0.0), high + margin);
+            largest(&span, tier, row, low, high)
+        });
+        Ok(errors.fold(0.0, |a, b| if b <= a { a } else { b }))
+    }
+}
+
+/// The largest error of a tier relative to `epsilon` below the intervals of all groups, where `1 - epsilon` is at most `1.16 u`.
+pub fn tier_near_zero<const ROWS: usize, const WIDTH: usize>(tier: &Tier<ROWS, WIDTH>) -> f64 {
+    let high = f64::from(-LEAST).exp2();
+    largest(&Span::of_nothing_lost(high, 1.16 * high), tier, 0, 0.0, high)
+}
+
+/// The largest error of a row relative to `epsilon`, approximation and roundings.
+fn largest<const ROWS: usize, const WIDTH: usize>(
+    span: &Span,
+    tier: &Tier<ROWS, WIDTH>,
+    row: usize,
+    low: f64,
+    high: f64,
+) -> f64 {
+    let (start, end) = tier.ends(row);
+    let width = end - start;
+    let of = |x: f64| span.u.of(x);
+    let distance = of(end).plus(&span.u.clone().negated()) * of(1.0 / width);
+    let (_, missed) = span.missed(&tier.form(row, distance));
+    let place = half_unit(end + tier.shift()) / width;
+    (0..PARTS).fold(0.0, |worst, part| {
+        let at = |part: u32| low + (high - low) * (f64::from(part) / f64::from(PARTS));
+        let (least, most) = ((end - at(part + 1)) / width, (end - at(part)) / width);
+        let rounded = tier.form(row, Rounded::new(least.next_down() - place, most.next_up() + place, place));
+        let error = rounded.relative(missed);
+        if error <= worst { worst } else { error } // NaN wins
+    })
+}
