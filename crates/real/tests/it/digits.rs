@@ -96,6 +96,8 @@ fn ties_are_answered_only_when_nothing_else_can_be_the_reason() {
     assert_eq!(tie(1e-10).to_digits(2), None);
     // In units of the last digit, here 1, the narrowest radius that is refused is just above 2^-31.
     let narrow = |power: u32| Ball::from_ratio(5, 2, 300).widened(&(Float::with_val(32, 1) >> power));
+    let even = |n: i64| Ball::from_integer(n, 60).to_digits(1).unwrap();
+    assert_eq!([even(25), even(35), even(-45)], ["2e1", "4e1", "-4e1"]);
     assert_eq!((narrow(31).to_digits(1).as_deref(), narrow(30).to_digits(1)), (Some("2"), None));
     assert_eq!(tie(1e-10).to_digits(3).as_deref(), Some("0.125"));
 }
