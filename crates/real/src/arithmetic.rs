@@ -139,22 +139,12 @@ impl Ball {
     /// Returns the ball times `2^power`, exactly (within the exponents of MPFR, about `2^30`).
     #[must_use]
     pub fn shifted(&self, power: i32) -> Self {
-        let mut out = self.clone();
-        out.shift(i64::from(power));
-        out
-    }
-
-    /// Multiplies by `2^power` in place.
-    pub(crate) fn shift(&mut self, power: i64) {
         let exponents = i64::from(exp_min())..=i64::from(exp_max());
-        let fits = |x: &Float| x.get_exp().is_none_or(|e| exponents.contains(&(i64::from(e) + power)));
+        let fits =
+            |x: &Float| x.get_exp().is_none_or(|e| exponents.contains(&(i64::from(e) + i64::from(power))));
         let inside = fits(&self.mid) && fits(&self.rad);
-        let power = i32::try_from(power).unwrap_or(if power < 0 { i32::MIN } else { i32::MAX });
-        self.mid <<= power;
-        self.rad <<= power;
-        if !inside {
-            *self = Self::new(self.mid.clone(), &self.rad).widened(&smallest_error());
-        }
+        let (mid, rad) = (self.mid.clone() << power, self.rad.clone() << power);
+        if inside { Self { mid, rad } } else { Self::new(mid, &rad).widened(&smallest_error()) }
     }
 
     /// Returns the absolute value.

@@ -4,7 +4,7 @@ use rug::Integer;
 use rug::integer::Order;
 
 /// Limbs a coefficient of a product needs: `bits` for each factor, the sum of `len` terms, the sign.
-pub fn slot_limbs(bits_a: u32, bits_b: u32, len: usize) -> usize {
+fn slot_limbs(bits_a: u32, bits_b: u32, len: usize) -> usize {
     let bits = bits_a as usize + bits_b as usize + (usize::BITS - len.leading_zeros()) as usize + 2;
     bits.div_ceil(64)
 }
@@ -12,7 +12,7 @@ pub fn slot_limbs(bits_a: u32, bits_b: u32, len: usize) -> usize {
 /// Returns `sum_i values[i] * 2^(64 slot i)`.
 ///
 /// Every `|values[i]|` must lie below `2^(64 slot)`. Cost: linear.
-pub fn pack<'a>(values: impl ExactSizeIterator<Item = &'a Integer>, slot: usize) -> Integer {
+fn pack<'a>(values: impl ExactSizeIterator<Item = &'a Integer>, slot: usize) -> Integer {
     let len = values.len();
     let mut positive = vec![0u64; slot * len];
     let mut negative = vec![0u64; slot * len];
@@ -28,7 +28,7 @@ pub fn pack<'a>(values: impl ExactSizeIterator<Item = &'a Integer>, slot: usize)
 /// between `-2^(64 slot - 1)` and `2^(64 slot - 1)`.
 ///
 /// A bias of half a slot is added to every coefficient, so that all of them are read as digits.
-pub fn unpack(packed: &Integer, slot: usize, len: usize) -> Vec<Integer> {
+fn unpack(packed: &Integer, slot: usize, len: usize) -> Vec<Integer> {
     let total = len.max(packed.significant_digits::<u64>().div_ceil(slot) + 1);
     let mut bias = vec![0u64; slot * total];
     for i in 1..=total {
