@@ -1,235 +1,338 @@
 //! Integers to residues modulo many primes and back, rounded by a power of two on the way.
+//!
+//! Both ways are sums of products of 32-bit digits with 25-bit halves of residues, in 64-bit integers.
 
-use super::fixed::{effective, is_negative, negate};
-use super::prime::Prime;
+use super::digits::{DIGIT_MASK, Digits, HALF, HALF_MASK, ROWS, Sums};
+use super::fixed::{effective, is_negative};
+use super::lanes::{LANES, Lanes, each, vectorised};
+use super::prime::Primes;
 use rug::Integer;
 use rug::integer::Order;
-use std::sync::{Mutex, OnceLock};
 
-/// Bits of every prime, at least.
-pub(super) const BITS: u32 = 61;
+/// Digits of a rounded result below its unit.
+const GUARD: usize = 3;
 
-/// The first `count` primes of the project, found once in a process.
-pub(super) fn primes(count: usize) -> Vec<Prime> {
-    static FOUND: OnceLock<Mutex<Vec<Prime>>> = OnceLock::new();
-    let found = FOUND.get_or_init(|| Mutex::new(Vec::new()));
-    let mut found = found.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-    if found.len() < count {
-        let known = found.last().map_or(u64::MAX, |prime| prime.p);
-        let missing = count - found.len();
-        found.extend(Prime::falling_below(known).take(missing));
-    }
-    found[..count].to_vec()
-}
-
-/// How many primes hold integers of absolute value below `2^bits`, with two bits to spare.
-pub(super) fn primes_for(bits: u32) -> usize {
-    (bits / BITS + 1) as usize + 1
-}
-
-/// The bits that so many primes hold, as [`primes_for`] counts.
-pub(super) fn capacity(primes: usize) -> u32 {
-    BITS * (primes.max(2) as u32 - 1) - 1
-}
-
-/// `2^(64 k)` modulo one prime, as plain residues: what carries words to residues.
-pub(super) struct Radix {
-    prime: Prime,
-    powers: Vec<u64>,
-    /// `2^128` and `2^192`.
-    low: u64,
-    high: u64,
+/// `2^(32 k)` modulo groups of primes: what carries words to residues.
+pub(crate) struct Radix {
+    primes: Vec<Primes>,
+    /// For each digit the lower halves for all primes, then the upper halves.
+    powers: Digits,
+    /// `2^32`, `2^25`, `2^57` for each group.
+    shifts: Vec<[Lanes; 3]>,
 }
 
 impl Radix {
-    pub fn new(prime: Prime, words: usize) -> Self {
-        let step = prime.one;
-        let mut power = 1;
-        let powers = (0..=words).map(|_| {
-            let this = power;
-            power = prime.mul(power, prime.mul(step, prime.square()));
-            this
-        });
-        let powers = powers.collect();
-        let low = prime.square();
-        Self { prime, powers, low, high: prime.mul(low, low) }
+    pub fn new(primes: &[Primes], words: usize) -> Self {
+        let mut radix = Self {
+            primes: primes.to_vec(),
+            powers: Digits::zero(2 * words, 2 * LANES * primes.len()),
+            shifts: vec![[Lanes::ONE; 3]; primes.len()],
+        };
+        fill(&mut radix);
+        radix
     }
 
-    /// The residue of a two's complement integer, below `p`.
-    pub fn residue(&self, words: &[u64]) -> u64 {
-        let count = effective(words);
-        let (low, high) = dot(&words[..count], &self.powers[..count]);
-        let prime = &self.prime;
-        let residue =
-            prime.add(prime.mul(prime.reduced(low), self.low), prime.mul(prime.reduced(high), self.high));
-        if is_negative(words) { prime.sub(residue, self.powers[count]) } else { residue }
+    /// Writes the reduced residues of two's complement integers of `width` words each modulo the first groups of
+    /// primes, those of one integer side by side.
+    pub fn residues(&self, words: &[u64], width: usize, count: usize, out: &mut [Lanes]) {
+        residues(self, words, width, count, out);
     }
 }
 
-/// What turns residues modulo the first `n` primes into the integer, divided by `2^shift` and rounded.
+vectorised! {
+    fn fill(radix: &'a mut Radix) {
+        let half = LANES * radix.primes.len();
+        for (group, (primes, shifts)) in radix.primes.iter().zip(&mut radix.shifts).enumerate() {
+            *shifts = [primes.integer(1 << 32), primes.integer(1 << HALF), primes.integer(1 << (32 + HALF))];
+            let mut power = Lanes::ONE;
+            for digit in 0..radix.powers.lines() {
+                let residue = primes.least(power).integers();
+                let line = radix.powers.line(digit);
+                for l in 0..LANES {
+                    line[group * LANES + l] = (residue[l] & HALF_MASK) as u32;
+                    line[half + group * LANES + l] = (residue[l] >> HALF) as u32;
+                }
+                power = primes.reduce(primes.mul(power, shifts[0]));
+            }
+        }
+    }
+}
+
+vectorised! {
+    fn residues(radix: &'a Radix, words: &'a [u64], width: usize, count: usize, out: &'a mut [Lanes]) {
+        let mut digits = Vec::with_capacity(2 * width + ROWS);
+        let mut sums = Sums::default();
+        for (words, out) in words.chunks(ROWS * width).zip(out.chunks_mut(ROWS * count)) {
+            // Of a negative number x, -1 - x.
+            let mut signs = [0; ROWS];
+            let mut used = 0;
+            for (words, sign) in words.chunks_exact(width).zip(&mut signs) {
+                *sign = if is_negative(words) { u64::MAX } else { 0 };
+                used = used.max(effective(words));
+            }
+            digits.clear();
+            digits.resize((2 * used).next_multiple_of(ROWS), [0; ROWS]);
+            for (r, words) in words.chunks_exact(width).enumerate() {
+                for (pair, word) in digits.as_chunks_mut::<2>().0.iter_mut().zip(&words[..used]) {
+                    let word = word ^ signs[r];
+                    (pair[0][r], pair[1][r]) = (word as u32, (word >> 32) as u32);
+                }
+            }
+            radix.powers.multiply(&digits, &mut sums);
+            for (r, out) in out.chunks_exact_mut(count).enumerate() {
+                for (group, residue) in out.iter_mut().enumerate() {
+                    // Each part is below 2^32 for every 128 products: below 2^50 for 2^24 words.
+                    let (low, high) = (sums.block(r, group), sums.block(r, radix.primes.len() + group));
+                    let (primes, shifts) = (radix.primes[group], &radix.shifts[group]);
+                    let a = primes.mul(Lanes::of(low.1), shifts[0]);
+                    let b = primes.mul(Lanes::of(high.0), shifts[1]);
+                    let c = primes.mul(Lanes::of(high.1), shifts[2]);
+                    let sum = Lanes::of(low.0) + a + b + c;
+                    *residue = primes.reduce(if signs[r] == 0 { sum } else { -sum - Lanes::ONE });
+                }
+            }
+        }
+    }
+}
+
+/// What turns residues modulo the first groups of primes into the integer, divided by `2^shift` and rounded.
 ///
-/// With `P` the product of the primes and `t_i = r_i (P/p_i)^(-1) mod p_i` the integer `x` has
-/// `x/P = sum t_i/p_i mod 1`; only as many bits of the fraction are found as the rounded `x/2^shift` needs.
-pub(super) struct Level {
-    count: usize,
-    /// Words of the fraction.
-    words: usize,
-    /// The form of `(P/p_i)^(-1)` modulo `p_i`.
-    inverses: Vec<u64>,
-    /// `floor(2^(64 words)/p_i)`: for each word those of all primes.
-    fractions: Vec<u64>,
-    /// `floor(P/2^(shift - 64))`.
-    product: Vec<u64>,
+/// With `P` the product of the primes and `t_i = r_i (P/p_i)^(-1) mod p_i` the integer is
+/// `x = sum t_i P/p_i - q P`, `q` the integer next to `sum t_i/p_i`, since `|x| < P/4`.
+pub(crate) struct Level {
+    /// `(P/p_i)^(-1)` modulo `p_i`.
+    inverses: Vec<Lanes>,
+    /// The 32-bit digits of `floor(P/p_i 2^(32 guard - shift))` for every prime.
+    digits: Digits,
+    /// The digits of `floor(P 2^(32 guard - shift))`.
+    product: Vec<u32>,
+    guard: usize,
+}
+
+/// The residues of integers modulo groups of primes.
+pub(crate) struct Table<'v> {
+    pub values: &'v [Lanes],
+    /// From one group to the next.
+    pub stride: usize,
+    /// What residues are to be multiplied by first.
+    pub scales: &'v [Lanes],
 }
 
 impl Level {
-    /// For `shift >= 64`.
-    pub fn new(primes: &[Prime], shift: u32) -> Self {
-        let product = primes.iter().fold(Integer::from(1), |product, prime| product * prime.p);
-        let count = primes.len();
-        // n primes leave an error of n 2^62 in the fraction: 2^-24 of the result's unit.
-        let bits = product.significant_bits().saturating_sub(shift) + 62 + 24 + count.ilog2() + 1;
-        let words = bits.div_ceil(64) as usize;
-        let one = Integer::from(1) << (64 * words as u32);
-        let mut fractions = vec![0; count * words];
-        for (i, prime) in primes.iter().enumerate() {
-            let digits = Integer::from(&one / prime.p).to_digits::<u64>(Order::Lsf);
-            for (w, digit) in digits.into_iter().enumerate() {
-                fractions[w * count + i] = digit;
-            }
+    /// For results in units of `2^shift`, of which 0 is exact.
+    pub fn new(primes: &[Primes], shift: u32) -> Self {
+        let guard = if shift == 0 { 0 } else { GUARD };
+        let all: Vec<u64> = primes.iter().flat_map(|group| group.p.integers()).collect();
+        let product = product_of(&all);
+        let moved = |x: Integer| ((x << (32 * guard as u32)) >> shift).to_digits::<u32>(Order::Lsf);
+        let mut whole = moved(product.clone());
+        let mut digits = Digits::zero(all.len(), whole.len());
+        for (i, &p) in all.iter().enumerate() {
+            let part = moved(Integer::from(&product / p));
+            digits.line(i)[..part.len()].copy_from_slice(&part);
         }
-        let inverse = |i: usize| {
-            let prime = &primes[i];
-            let others = (0..count).filter(|&k| k != i);
-            prime.inverse(
-                others.fold(prime.one, |product, k| prime.mul(product, prime.form(primes[k].p as i64))),
-            )
-        };
-        let inverses = (0..count).map(inverse).collect();
-        let product = (product >> (shift - 64)).to_digits::<u64>(Order::Lsf);
-        Self { count, words, inverses, fractions, product }
+        whole.resize(digits.width(), 0);
+        let mut inverses = vec![Lanes::ONE; primes.len()];
+        invert(primes, &all, &mut inverses);
+        Self { inverses, digits, product: whole, guard }
     }
 
-    /// Writes `x/2^shift` from the residues of `x`, `|x| < P/4`, with an error of at most `1/2 + 2^-20`.
-    pub fn write(
-        &self,
-        primes: &[Prime],
-        residue: impl Fn(usize) -> u64,
-        scratch: &mut Vec<u64>,
-        out: &mut [u64],
-    ) {
-        let words = self.words;
-        let count = self.count;
-        scratch.clear();
-        scratch.extend((0..count).map(|i| primes[i].mul(residue(i), self.inverses[i])));
-        scratch.resize(count + 2 * words + self.product.len() + 2, 0);
-        let (multiples, scratch) = scratch.split_at_mut(count);
-        let (fraction, rest) = scratch.split_at_mut(words);
-        let mut carry = 0u128;
-        for (digit, fractions) in fraction.iter_mut().zip(self.fractions.chunks_exact(count)) {
-            let (low, high) = dot(fractions, multiples);
-            // Less than 2^127, with fewer than 2^60 primes.
-            carry += low;
-            *digit = carry as u64;
-            carry = (carry >> 64) + high;
-        }
-        let negative = is_negative(fraction);
-        if negative {
-            negate(fraction);
-        }
-        // Words of fraction times product below index words - 1 are left out: less than 2^-60 of the unit.
-        let first = words - 1;
-        for (i, &digit) in fraction.iter().enumerate() {
-            let skipped = first.saturating_sub(i);
-            if skipped < self.product.len() {
-                add_multiple(&mut rest[i + skipped - first..], &self.product[skipped..], digit);
-            }
-        }
-        // rest[0] has index words - 1; the unit of the result has index words + 1.
-        let half = rest[1] >> 63 == 1;
-        let value = &rest[2..];
-        let len = value.len().min(out.len());
-        out[..len].copy_from_slice(&value[..len]);
-        out[len..].fill(0);
-        let mut carry = half;
-        for word in out.iter_mut() {
-            (*word, carry) = word.overflowing_add(u64::from(carry));
-        }
-        if negative {
-            negate(out);
+    /// Writes `x/2^shift` of integers, `|x| < P/4`, from their residues at some places, as two's complement words.
+    ///
+    /// Each has an error of at most `1/2 + 2^-20` if it is rounded: fewer than `2^20` primes leave errors of less than
+    /// `2^50 2^-96` each.
+    pub fn write(&self, primes: &[Primes], table: &Table, places: &[usize], out: &mut [u64]) {
+        if !places.is_empty() {
+            write(self, primes, table, places, out);
         }
     }
 }
 
-/// `sum x_i y_i = low + 2^64 high` for `y_i < 2^62`: four products fit into 128 bits.
-#[inline]
-fn dot(x: &[u64], y: &[u64]) -> (u128, u128) {
-    let product = |x: u64, y: u64| u128::from(x) * u128::from(y);
-    let (mut low, mut high) = (0u128, 0u128);
-    let (xs, x_rest) = x.as_chunks::<4>();
-    let (ys, y_rest) = y.as_chunks::<4>();
-    for (&[a, b, c, d], &[e, f, g, h]) in xs.iter().zip(ys) {
-        let sum = (product(a, e) + product(b, f)).wrapping_add(product(c, g)).wrapping_add(product(d, h));
-        low += u128::from(sum as u64);
-        high += sum >> 64;
+/// The product of numbers, by halves.
+pub(crate) fn product_of(numbers: &[u64]) -> Integer {
+    match numbers {
+        [] => Integer::from(1),
+        [number] => Integer::from(*number),
+        _ => {
+            let (low, high) = numbers.split_at(numbers.len() / 2);
+            product_of(low) * product_of(high)
+        }
     }
-    for (&x, &y) in x_rest.iter().zip(y_rest) {
-        let product = product(x, y);
-        low += u128::from(product as u64);
-        high += product >> 64;
-    }
-    (low, high)
 }
 
-/// `sum += x digit`, modulo the words of `sum`.
-#[inline]
-fn add_multiple(sum: &mut [u64], x: &[u64], digit: u64) {
-    let mut carry = 0u64;
-    let (low, high) = sum.split_at_mut(x.len().min(sum.len()));
-    for (s, &x) in low.iter_mut().zip(x) {
-        let t = u128::from(x) * u128::from(digit) + u128::from(*s) + u128::from(carry);
-        *s = t as u64;
-        carry = (t >> 64) as u64;
-    }
-    for s in high {
-        if carry == 0 {
-            break;
+vectorised! {
+    /// `1/(P/p_i)` modulo every prime.
+    fn invert(primes: &'a [Primes], all: &'a [u64], inverses: &'a mut [Lanes]) {
+        for (group, (primes, inverse)) in primes.iter().zip(inverses).enumerate() {
+            let mut product = Lanes::ONE;
+            for (k, &p) in all.iter().enumerate() {
+                // In its own lane the prime is left out.
+                let factor = each!(|l| if group * LANES + l == k { 1.0 } else { p as f64 - primes.p.0[l] });
+                product = primes.reduce(primes.mul(product, factor));
+            }
+            *inverse = primes.reciprocal(product);
         }
-        let (sum, over) = s.overflowing_add(carry);
-        *s = sum;
-        carry = u64::from(over);
+    }
+}
+
+vectorised! {
+    fn write(level: &'a Level, primes: &'a [Primes], table: &'a Table<'a>, places: &'a [usize], out: &'a mut [u64]) {
+        let width = out.len() / places.len();
+        let mut halves = Vec::with_capacity(primes.len() * LANES);
+        let mut sums = Sums::default();
+        for (places, out) in places.chunks(2).zip(out.chunks_mut(2 * width)) {
+            halves.clear();
+            let mut shares = [Lanes::ZERO; 2];
+            for ((group, primes), inverse) in primes.iter().enumerate().zip(&level.inverses) {
+                let mut eight = [[0; ROWS]; LANES];
+                for (i, &place) in places.iter().enumerate() {
+                    let scaled = primes.mul(table.values[group * table.stride + place], table.scales[group]);
+                    let t = primes.least(primes.mul(scaled, *inverse));
+                    shares[i] = shares[i] + primes.share(t);
+                    let t = t.integers();
+                    for l in 0..LANES {
+                        eight[l][2 * i] = (t[l] & HALF_MASK) as u32;
+                        eight[l][2 * i + 1] = (t[l] >> HALF) as u32;
+                    }
+                }
+                halves.extend_from_slice(&eight);
+            }
+            level.digits.multiply(&halves, &mut sums);
+            for (i, out) in out.chunks_exact_mut(width).enumerate() {
+                let quotient = shares[i].0.iter().sum::<f64>().round_ties_even() as i128;
+                let mut writer = Writer { out, carry: 0, place: 0, guard: level.guard };
+                for (block, product) in level.product.as_chunks::<LANES>().0.iter().enumerate() {
+                    let (low, high) = (sums.block(2 * i, block), sums.block(2 * i + 1, block));
+                    for (l, &product) in product.iter().enumerate() {
+                        let low = i128::from(low.0[l]) + (i128::from(low.1[l]) << 32);
+                        let high = i128::from(high.0[l]) + (i128::from(high.1[l]) << 32);
+                        writer.push(low + (high << HALF) - quotient * i128::from(product));
+                    }
+                }
+                writer.finish();
+            }
+        }
+    }
+}
+
+/// Digits that become two's complement words, rounded behind the guard digits.
+struct Writer<'o> {
+    out: &'o mut [u64],
+    carry: i128,
+    place: usize,
+    guard: usize,
+}
+
+impl Writer<'_> {
+    /// The next digit, not yet carried.
+    #[inline(always)]
+    fn push(&mut self, digit: i128) {
+        self.carry += digit;
+        if self.place + 1 == self.guard {
+            self.carry += 1 << 31;
+        }
+        if self.place >= self.guard {
+            self.put();
+        }
+        self.place += 1;
+        self.carry >>= 32;
+    }
+
+    #[inline(always)]
+    fn put(&mut self) {
+        let place = self.place - self.guard;
+        let digit = self.carry as u64 & DIGIT_MASK;
+        if let Some(word) = self.out.get_mut(place / 2) {
+            *word = if place.is_multiple_of(2) { digit } else { *word | digit << 32 };
+        }
+    }
+
+    /// What is carried beyond the last digit is the sign.
+    #[inline(always)]
+    fn finish(mut self) {
+        while self.place - self.guard < 2 * self.out.len() {
+            self.put();
+            self.place += 1;
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::Fixed;
+    use super::super::prime::primes;
     use super::*;
     use rug::ops::RemRounding;
 
-    #[test]
-    fn integers_come_back_rounded() {
-        let primes = primes(9);
-        let mut value = Integer::from(-1);
-        for step in 0..200u32 {
-            value = (value * 1_000_003 + step) * if step % 3 == 0 { -1 } else { 1 };
-            if value.significant_bits() > 9 * 61 - 10 {
-                value >>= 300;
+    /// Residues of integers, as a table with one place for each.
+    fn residues_of(primes: &[Primes], integers: &[Integer], width: usize) -> Vec<Lanes> {
+        let source = Fixed::from_integers(integers, width);
+        let words: Vec<u64> = (0..source.len()).flat_map(|j| source.words(j).to_vec()).collect();
+        let mut found = vec![Lanes::ZERO; primes.len() * integers.len()];
+        Radix::new(primes, width).residues(&words, width, primes.len(), &mut found);
+        let first = primes.len().min(2);
+        let mut fewer = vec![Lanes::ZERO; first * integers.len()];
+        Radix::new(primes, width).residues(&words, width, first, &mut fewer);
+        for (fewer, found) in fewer.chunks(first).zip(found.chunks(primes.len())) {
+            assert_eq!(fewer, &found[..first]);
+        }
+        (0..primes.len()).flat_map(|group| found.iter().skip(group).step_by(primes.len()).copied()).collect()
+    }
+
+    fn check(groups: usize, integers: &[Integer], width: usize, shifts: &[u32]) {
+        let primes = primes(groups);
+        let table = residues_of(&primes, integers, width);
+        for (group, row) in primes.iter().zip(table.chunks(integers.len())) {
+            for (value, residue) in integers.iter().zip(row) {
+                for (p, found) in group.p.integers().into_iter().zip(group.least(*residue).integers()) {
+                    assert_eq!(value.clone().rem_euc(Integer::from(p)), found, "{value} mod {p}");
+                }
             }
-            let source = Fixed::from_integers(std::slice::from_ref(&value), 10);
-            let residue = |i: usize| Radix::new(primes[i], 10).residue(source.words(0));
-            for (i, prime) in primes.iter().enumerate() {
-                let expected = value.clone().rem_euc(Integer::from(prime.p));
-                assert_eq!(residue(i), expected, "{value} mod {}", prime.p);
-            }
-            for shift in [64, 100, 256] {
-                let level = Level::new(&primes, shift);
-                let mut out = vec![0; 10];
-                level.write(&primes, residue, &mut Vec::new(), &mut out);
-                let found = Fixed::from_words(out, 10).integer(0);
-                let error = (found << shift) - &value;
+        }
+        // A factor 3 that was taken out before.
+        let tripled: Vec<Lanes> = primes
+            .iter()
+            .zip(table.chunks(integers.len()))
+            .flat_map(|(group, row)| row.iter().map(|&x| group.mul(x, Lanes::splat(3.0))).collect::<Vec<_>>())
+            .collect();
+        let scales: Vec<Lanes> = primes.iter().map(|group| group.reciprocal(Lanes::splat(3.0))).collect();
+        let residues = Table { values: &tripled, stride: integers.len(), scales: &scales };
+        for &shift in shifts {
+            let level = Level::new(&primes, shift);
+            let places: Vec<usize> = (0..integers.len()).rev().collect();
+            let mut words = vec![7; width * places.len()];
+            level.write(&primes, &residues, &places, &mut words);
+            let found = Fixed::from_words(words, width);
+            for (i, value) in integers.iter().rev().enumerate() {
+                let error = (found.integer(i) << shift) - value;
                 assert!(error.significant_bits() <= shift, "{value} {shift}: {error}");
             }
+        }
+    }
+
+    #[test]
+    fn integers_come_back_rounded() {
+        let mut values = vec![Integer::from(0), Integer::from(1), Integer::from(-1)];
+        let mut value = Integer::from(-1);
+        for step in 0..60u32 {
+            value = (value * 1_000_003 + step) * if step % 3 == 0 { -1 } else { 1 };
+            if value.significant_bits() > 2 * 399 - 10 {
+                value >>= 300;
+            }
+            values.push(value.clone());
+        }
+        check(2, &values, 13, &[0, 64, 100, 256]);
+    }
+
+    /// Integers next to the largest that the primes hold, and so many primes that sums are taken in parts.
+    #[test]
+    fn the_largest_integers_come_back() {
+        for groups in [1, 17, 35] {
+            let all: Vec<u64> = primes(groups).iter().flat_map(|group| group.p.integers()).collect();
+            let most: Integer = (product_of(&all) >> 2u32) - 1;
+            let ones: Integer = (Integer::from(1) << (most.significant_bits() - 1)) - 1;
+            let values = [most.clone(), -most, ones.clone(), -ones, Integer::from(-1)];
+            check(groups, &values, groups * 399 / 64 + 2, &[0, 64, 65, 399]);
         }
     }
 }

@@ -39,6 +39,11 @@ impl Fixed {
         &self.words[j * self.width..(j + 1) * self.width]
     }
 
+    /// The words of all coefficients.
+    pub(super) fn all_words(&self) -> &[u64] {
+        &self.words
+    }
+
     /// The coefficient as an integer.
     pub fn integer(&self, j: usize) -> Integer {
         let words = self.words(j);

@@ -4,7 +4,8 @@
 //! the block under way are then found for a whole block of results at once (van der Hoeven's relaxed products,
 //! with one size of blocks). All of it is exact modulo every prime.
 
-use super::transform::Roots;
+use super::lanes::{Lanes, vectorised};
+use super::prime::Primes;
 use super::workshop::{Extent, Sum, Transformed, Workshop, extent_of};
 use rayon::prelude::*;
 
@@ -12,8 +13,6 @@ use rayon::prelude::*;
 const FEW: usize = 64;
 /// More rows than there can be.
 const NEVER: usize = 1 << 32;
-/// Points that are transformed along the rows together: one line of the cache.
-const POINTS: usize = 8;
 
 /// The rows of a block where so many rows are wanted; without limit where blocks don't pay.
 pub(crate) fn block_for(rows: usize) -> usize {
@@ -93,8 +92,8 @@ struct Known {
     block: usize,
     /// The sum over pairs of later blocks, transformed.
     inner: Sum,
-    /// For each prime the results of the block, row by row.
-    rows: Vec<u64>,
+    /// For each group of primes the results of the block, row by row.
+    rows: Vec<Lanes>,
 }
 
 impl Convolution {
@@ -126,13 +125,9 @@ impl Convolution {
         let Some(known) = &self.known else { return };
         let size = sum.size;
         let rows = known.rows.len() / (size * shop.all_primes());
-        let add = |(i, values): (usize, &mut [u64])| {
-            let prime = &shop.primes[i];
-            let weight = prime.form(weight);
+        let add = |(i, values): (usize, &mut [Lanes])| {
             let start = (i * rows + r) * size;
-            for (value, &x) in values.iter_mut().zip(&known.rows[start..start + size]) {
-                *value = prime.add(*value, prime.mul(x, weight));
-            }
+            add_weighted(&shop.primes[i], values, &known.rows[start..start + size], weight);
         };
         sum.values.par_chunks_mut(size).enumerate().for_each(add);
     }
@@ -144,17 +139,13 @@ impl Workshop {
         let (size, block) = (rows[0].size, rows.len());
         let count = rows.iter().map(|row| row.count).min().unwrap_or(0);
         let roots = self.roots(2 * block);
-        let mut values = vec![0; 2 * block * size * count];
-        let fill = |(i, out): (usize, &mut [u64])| {
-            for (tile, out) in out.chunks_mut(2 * block * POINTS).enumerate() {
-                let start = i * size + tile * POINTS;
-                let points = out.len() / (2 * block);
-                for (k, row) in rows.iter().enumerate() {
-                    for (point, &value) in row.values[start..start + points].iter().enumerate() {
-                        out[point * 2 * block + k] = value;
-                    }
+        let mut values = vec![Lanes::ZERO; 2 * block * size * count];
+        let fill = |(i, out): (usize, &mut [Lanes])| {
+            for (point, out) in out.chunks_exact_mut(2 * block).enumerate() {
+                for (value, row) in out.iter_mut().zip(rows) {
+                    *value = row.values[i * size + point];
                 }
-                out.chunks_exact_mut(2 * block).for_each(|values| roots[i].forward(values));
+                roots[i].forward(out);
             }
         };
         values.par_chunks_mut(2 * block * size).enumerate().for_each(fill);
@@ -163,7 +154,7 @@ impl Workshop {
 
     /// The sum of products modulo all primes; extents are the caller's.
     fn sum_of_all(&self, pairs: &[(&Transformed, &Transformed)], like: &Transformed) -> Sum {
-        let values = vec![0; like.values.len()];
+        let values = vec![Lanes::ZERO; like.values.len()];
         let mut sum = Sum { size: like.size, count: like.count, extent: Extent::default(), values };
         self.add_all(&mut sum, pairs);
         sum
@@ -175,44 +166,59 @@ impl Workshop {
         }
         let size = sum.size;
         let groups = [(1, pairs.to_vec())];
-        let add = |(i, row): (usize, &mut [u64])| self.add_groups(i, size, &groups, row);
+        let add = |(i, row): (usize, &mut [Lanes])| self.add_groups(i, size, &groups, row);
         sum.values.par_chunks_mut(size).enumerate().for_each(add);
     }
 
     /// Transforms back along the rows: the first half of one sum and the second half of another.
-    fn rows_of(&self, first: &Sum, second: &Sum, block: usize) -> Vec<u64> {
+    fn rows_of(&self, first: &Sum, second: &Sum, block: usize) -> Vec<Lanes> {
         let size = first.size / (2 * block);
         let roots = self.roots(2 * block);
-        let mut rows = vec![0; block * size * first.count];
-        let fill = |(i, out): (usize, &mut [u64])| {
-            let mut tile = vec![0; 2 * block * POINTS];
-            for point in (0..size).step_by(POINTS) {
-                let points = POINTS.min(size - point);
-                for p in 0..points {
-                    let start = i * first.size + (point + p) * 2 * block;
-                    let (x, y) =
-                        (&first.values[start..start + 2 * block], &second.values[start..start + 2 * block]);
-                    self.join(&roots[i], i, (x, y), &mut tile[p * 2 * block..(p + 1) * 2 * block]);
-                }
-                for (r, row) in out.chunks_exact_mut(size).enumerate() {
-                    for (p, value) in row[point..point + points].iter_mut().enumerate() {
-                        *value = tile[p * 2 * block + r];
-                    }
+        let mut rows = vec![Lanes::ZERO; block * size * first.count];
+        let fill = |(i, out): (usize, &mut [Lanes])| {
+            let mut column = vec![Lanes::ZERO; 2 * block];
+            for point in 0..size {
+                let start = i * first.size + point * 2 * block;
+                let (x, y) =
+                    (&first.values[start..start + 2 * block], &second.values[start..start + 2 * block]);
+                join(&self.primes[i], x, y, &mut column);
+                roots[i].backward(&mut column);
+                for (row, &value) in out.chunks_exact_mut(size).zip(&column) {
+                    row[point] = value;
                 }
             }
+            scale(&self.primes[i], out, roots[i].scale());
         };
         rows.par_chunks_mut(block * size).enumerate().for_each(fill);
         rows
     }
+}
 
-    /// Transforms `x` plus the shifted `y` back.
-    fn join(&self, roots: &Roots, i: usize, (x, y): (&[u64], &[u64]), out: &mut [u64]) {
-        let prime = &self.primes[i];
+vectorised! {
+    /// `x` plus the shifted `y`.
+    fn join(primes: &'a Primes, x: &'a [Lanes], y: &'a [Lanes], out: &'a mut [Lanes]) {
         let half = out.len() / 2;
         for (q, value) in out.iter_mut().enumerate() {
-            *value = if q < half { prime.add(x[q], y[q]) } else { prime.sub(x[q], y[q]) };
+            *value = primes.reduce(if q < half { x[q] + y[q] } else { x[q] - y[q] });
         }
-        roots.backward(out);
+    }
+}
+
+vectorised! {
+    fn scale(primes: &'a Primes, values: &'a mut [Lanes], scale: Lanes) {
+        for value in values {
+            *value = primes.reduce(primes.mul(*value, scale));
+        }
+    }
+}
+
+vectorised! {
+    /// Adds the reduced `x` times a weight.
+    fn add_weighted(primes: &'a Primes, sum: &'a mut [Lanes], x: &'a [Lanes], weight: i64) {
+        let weight = primes.integer(weight);
+        for (sum, &x) in sum.iter_mut().zip(x) {
+            *sum = primes.reduce(*sum + primes.mul(x, weight));
+        }
     }
 }
 
@@ -239,19 +245,22 @@ mod tests {
             let (t, r) = (n / block, n % block);
             if t > 0 {
                 sums.prepare(&shop, &a, &b, t);
-                let zero = |values: Vec<u64>| Sum {
+                let zero = |values: Vec<Lanes>| Sum {
                     size,
                     count: shop.all_primes(),
                     extent: Extent::default(),
                     values,
                 };
-                let mut found = zero(vec![0; size * shop.all_primes()]);
+                let mut found = zero(vec![Lanes::ZERO; size * shop.all_primes()]);
                 sums.add_row(&shop, &mut found, r, -3);
                 // Pairs of two complete blocks.
                 let pairs = (0..=n).filter(|&k| k / block < t && (n - k) / block < t);
                 let terms: Vec<_> = pairs.map(|k| (-3, &all[k].0, &all[n - k].1)).collect();
-                let expected =
-                    if terms.is_empty() { zero(vec![0; found.values.len()]) } else { shop.sum(&terms) };
+                let expected = if terms.is_empty() {
+                    zero(vec![Lanes::ZERO; found.values.len()])
+                } else {
+                    shop.sum(&terms)
+                };
                 let count = expected.count;
                 assert_eq!(found.values[..size * count], expected.values, "row {n}");
             }

@@ -1,8 +1,9 @@
 //! Sums of products of fixed-point series: transformed once, multiplied exactly, rounded once.
 
-use super::basis::{Level, Radix, capacity, primes, primes_for};
+use super::basis::{Level, Radix, Table};
 use super::fixed::Fixed;
-use super::prime::Prime;
+use super::lanes::{Lanes, vectorised};
+use super::prime::{Primes, capacity, groups_for, primes};
 use super::transform::{Roots, size_for};
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -10,12 +11,14 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Word operations below which a second thread costs more than it brings.
-const WORTH_SPLITTING: usize = 60_000;
-/// Products of two residues that fit beside each other into 127 bits.
+/// Operations on eight primes below which a second thread costs more than it brings.
+const WORTH_SPLITTING: usize = 10_000;
+/// Products of two reduced residues, each below `0.6 p`, that are summed before the sum is reduced.
 const LAZY: usize = 8;
 /// Places that are summed together, to stay in the first cache.
 const BLOCK: usize = 64;
+/// Coefficients that are taken to residues and back together.
+const TOGETHER: usize = 32;
 /// Steps by which fewer primes are used for coefficients that are known to be smaller.
 const LEVELS: usize = 8;
 
@@ -25,21 +28,21 @@ pub(crate) struct Workshop {
     width: usize,
     /// Bits by which coefficients are expected to fall with each term, as a fraction.
     decay: (usize, usize),
-    pub(super) primes: Vec<Prime>,
-    radices: Vec<Radix>,
+    pub(super) primes: Vec<Primes>,
+    radix: Radix,
     roots: Mutex<HashMap<usize, Arc<Vec<Roots>>>>,
     levels: Mutex<HashMap<(usize, u32), Arc<Level>>>,
     overflow: AtomicBool,
 }
 
-/// A series as values at roots of unity modulo the first primes.
+/// A series as values at roots of unity modulo the first groups of primes; reduced.
 #[derive(Clone, Debug)]
 pub(crate) struct Transformed {
     pub(super) size: usize,
     pub(super) count: usize,
     pub(super) len: usize,
     pub(super) extent: Extent,
-    pub(super) values: Vec<u64>,
+    pub(super) values: Vec<Lanes>,
 }
 
 /// How large coefficients are: `|c_j| < 2^peak` and `|c_j| < 2^(reach - fall(j))`.
@@ -80,22 +83,21 @@ impl Transformed {
     /// Every coefficient times a small number.
     pub fn times(&self, shop: &Workshop, factor: u32) -> Self {
         let mut product = self.clone();
-        for (row, prime) in product.values.chunks_mut(self.size).zip(&shop.primes) {
-            let factor = prime.form(i64::from(factor));
-            row.iter_mut().for_each(|value| *value = prime.mul(*value, factor));
+        for (row, primes) in product.values.chunks_mut(self.size).zip(&shop.primes) {
+            multiply(primes, row, factor.into());
         }
         product.extent = product.extent.plus(32 - factor.leading_zeros());
         product
     }
 }
 
-/// A sum of products before it is transformed back.
+/// A sum of products before it is transformed back; reduced.
 #[derive(Clone)]
 pub(crate) struct Sum {
     pub(super) size: usize,
     pub(super) count: usize,
     pub(super) extent: Extent,
-    pub(super) values: Vec<u64>,
+    pub(super) values: Vec<Lanes>,
 }
 
 /// A group of products with one integer weight.
@@ -105,14 +107,14 @@ impl Workshop {
     /// For multiples of `2^-bits`, `bits >= 64`, of absolute value below `2^head`.
     pub fn new(bits: u32, head: u32, decay: (usize, usize)) -> Self {
         let width = (bits + head) as usize / 64 + 1;
-        let primes = primes(primes_for(2 * (bits + head) + 96));
-        let radices = primes.iter().map(|&prime| Radix::new(prime, width)).collect();
+        let primes = primes(groups_for(2 * (bits + head) + 96));
+        let radix = Radix::new(&primes, width);
         Self {
             bits,
             width,
             decay,
             primes,
-            radices,
+            radix,
             roots: Mutex::default(),
             levels: Mutex::default(),
             overflow: AtomicBool::new(false),
@@ -151,7 +153,7 @@ impl Workshop {
 
     pub(super) fn roots(&self, size: usize) -> Arc<Vec<Roots>> {
         let mut roots = self.roots.lock().unwrap_or_else(PoisonError::into_inner);
-        let make = || Arc::new(self.primes.par_iter().map(|&prime| Roots::new(prime, size)).collect());
+        let make = || Arc::new(self.primes.par_iter().map(|&primes| Roots::new(primes, size)).collect());
         Arc::clone(roots.entry(size).or_insert_with(make))
     }
 
@@ -161,21 +163,28 @@ impl Workshop {
         Arc::clone(levels.entry((count, shift)).or_insert_with(make))
     }
 
-    /// Transforms a series of at most `size` terms modulo the first `count` primes.
+    /// Transforms a series of at most `size` terms modulo the first `count` groups of primes.
     pub fn transform(&self, series: &Fixed, size: usize, count: usize) -> Transformed {
         assert!(series.len() <= size && count <= self.primes.len(), "a transform too small for its series");
         let roots = self.roots(size);
-        let mut values = vec![0; size * count];
-        let fill = |(i, row): (usize, &mut [u64])| {
-            for (j, value) in row.iter_mut().enumerate().take(series.len()) {
-                *value = self.radices[i].residue(series.words(j));
+        let words = series.all_words();
+        let mut residues = vec![Lanes::ZERO; series.len() * count];
+        let mut values = vec![Lanes::ZERO; size * count];
+        let reduce =
+            |(words, out): (&[u64], &mut [Lanes])| self.radix.residues(words, self.width, count, out);
+        let fill = |residues: &[Lanes], i: usize, row: &mut [Lanes]| {
+            for (value, residue) in row.iter_mut().zip(residues.iter().skip(i).step_by(count)) {
+                *value = *residue;
             }
             roots[i].forward(row);
         };
         if count * size * (self.width + 10) > WORTH_SPLITTING {
-            values.par_chunks_mut(size).enumerate().for_each(fill);
+            let pieces = words.par_chunks(TOGETHER * self.width);
+            pieces.zip(residues.par_chunks_mut(TOGETHER * count)).for_each(reduce);
+            values.par_chunks_mut(size).enumerate().for_each(|(i, row)| fill(&residues, i, row));
         } else {
-            values.chunks_mut(size).enumerate().for_each(fill);
+            reduce((words, &mut residues));
+            values.chunks_mut(size).enumerate().for_each(|(i, row)| fill(&residues, i, row));
         }
         Transformed { size, count, len: series.len(), extent: self.extent(series), values }
     }
@@ -194,15 +203,15 @@ impl Workshop {
             .map(|(weight, (a, b))| extent_of(*weight, a.scale(), b.scale()))
             .fold(Extent::default(), Extent::or);
         let needed = most.plus(products().count().max(1).ilog2() + 2);
-        let count = primes_for(extent.bits().min(capacity(self.primes.len())).max(needed.bits()));
+        let count = groups_for(extent.bits().min(capacity(self.primes.len())).max(needed.bits()));
         debug_assert!(products().all(|(_, (a, b))| a.size == size && b.size == size));
         let known = products().map(|(_, (a, b))| a.count.min(b.count)).min().unwrap_or(count);
         if known < count {
             self.overflow.store(true, Ordering::Relaxed);
         }
         let count = count.min(known);
-        let mut values = vec![0; size * count];
-        let fill = |(i, row): (usize, &mut [u64])| self.add_groups(i, size, groups, row);
+        let mut values = vec![Lanes::ZERO; size * count];
+        let fill = |(i, row): (usize, &mut [Lanes])| self.add_groups(i, size, groups, row);
         if products().count() * size * count > WORTH_SPLITTING {
             values.par_chunks_mut(size).enumerate().for_each(fill);
         } else {
@@ -214,7 +223,7 @@ impl Workshop {
     /// Sets the extent of a sum to which products were added; notices if it has too few primes for it.
     pub fn set_extent(&self, sum: &mut Sum, extent: Extent) {
         sum.extent = extent;
-        if primes_for(extent.bits()) > sum.count {
+        if groups_for(extent.bits()) > sum.count {
             self.overflow.store(true, Ordering::Relaxed);
         }
     }
@@ -227,7 +236,7 @@ impl Workshop {
             .map(|&(weight, a, b)| extent_of(weight, a.scale(), b.scale()))
             .fold(Extent::default(), Extent::or);
         sum.extent = sum.extent.or(most.plus(terms.len().ilog2() + 1)).plus(1);
-        if primes_for(sum.extent.bits()) > sum.count {
+        if groups_for(sum.extent.bits()) > sum.count {
             return None;
         }
         let size = sum.size;
@@ -235,31 +244,8 @@ impl Workshop {
         Some(())
     }
 
-    pub(super) fn add_groups(&self, i: usize, size: usize, groups: &[Group], row: &mut [u64]) {
-        let prime = &self.primes[i];
-        for (weight, pairs) in groups {
-            // Two reductions below divide by 2^64 each, the multiplication by the weight once more.
-            let weight = prime.mul(prime.mul(prime.form(*weight), prime.square()), prime.square());
-            for (start, row) in (i * size..).step_by(BLOCK).zip(row.chunks_mut(BLOCK)) {
-                let mut total = [0u128; BLOCK];
-                for pairs in pairs.chunks(LAZY) {
-                    let mut sum = [0u128; BLOCK];
-                    for (a, b) in pairs {
-                        let (a, b) =
-                            (&a.values[start..start + row.len()], &b.values[start..start + row.len()]);
-                        for ((s, &x), &y) in sum.iter_mut().zip(a).zip(b) {
-                            *s += u128::from(x) * u128::from(y);
-                        }
-                    }
-                    for (t, s) in total.iter_mut().zip(&sum).take(row.len()) {
-                        *t += u128::from(prime.reduce(*s));
-                    }
-                }
-                for (value, t) in row.iter_mut().zip(&total) {
-                    *value = prime.add(*value, prime.mul(prime.reduced(*t), weight));
-                }
-            }
-        }
+    pub(super) fn add_groups(&self, i: usize, size: usize, groups: &[Group], row: &mut [Lanes]) {
+        add_groups(&self.primes[i], groups, i * size, row);
     }
 
     /// Transforms back and returns the first `len` coefficients divided by `2^shift`, `shift >= 64`.
@@ -276,7 +262,7 @@ impl Workshop {
             self.overflow.store(true, Ordering::Relaxed);
         }
         let roots = self.roots(size);
-        let back = |(i, row): (usize, &mut [u64])| roots[i].backward(row);
+        let back = |(i, row): (usize, &mut [Lanes])| roots[i].backward(row);
         let costly = count * size * (count + 10) > WORTH_SPLITTING;
         if costly {
             sum.values.par_chunks_mut(size).enumerate().for_each(back);
@@ -286,28 +272,26 @@ impl Workshop {
         let step = count.div_ceil(LEVELS);
         let needed = |j: usize| {
             let bits = sum.extent.reach.saturating_sub(self.fall(j)).min(sum.extent.peak);
-            let exact = primes_for(bits.max(shift));
-            exact.next_multiple_of(step).min(count)
+            groups_for(bits.max(shift)).next_multiple_of(step).min(count)
         };
+        let scales: Vec<Lanes> = roots[..count].iter().map(Roots::scale).collect();
+        let table = Table { values: &sum.values, stride: size, scales: &scales };
         let mut words = vec![0; range.len() * self.width];
-        let block = 32;
         let write = |(chunk, words): (usize, &mut [u64])| {
-            let mut scratch = Vec::new();
-            let mut level = None;
-            for (k, out) in words.chunks_mut(self.width).enumerate() {
-                let j = range.start + chunk * block + k;
-                let count = needed(j);
-                let (_, level) = match level.take() {
-                    Some((known, kept)) if known == count => level.insert((known, kept)),
-                    _ => level.insert((count, self.level(count, shift))),
-                };
-                level.write(&self.primes, |i| sum.values[i * size + j], &mut scratch, out);
+            let first = range.start + chunk * TOGETHER;
+            let places: Vec<usize> = (first..first + words.len() / self.width).collect();
+            let mut rest = words;
+            for places in places.chunk_by(|&i, &j| needed(i) == needed(j)) {
+                let (words, after) = std::mem::take(&mut rest).split_at_mut(places.len() * self.width);
+                let count = needed(places[0]);
+                self.level(count, shift).write(&self.primes[..count], &table, places, words);
+                rest = after;
             }
         };
         if costly {
-            words.par_chunks_mut(self.width * block).enumerate().for_each(write);
+            words.par_chunks_mut(self.width * TOGETHER).enumerate().for_each(write);
         } else {
-            words.chunks_mut(self.width * block).enumerate().for_each(write);
+            words.chunks_mut(self.width * TOGETHER).enumerate().for_each(write);
         }
         Fixed::from_words(words, self.width)
     }
@@ -346,7 +330,7 @@ impl Workshop {
         let extent = |(a, b): &(Fixed, Fixed)| self.extent(a).times(self.extent(b));
         let extent = factors.iter().map(extent).fold(Extent::default(), Extent::or);
         let extent = extent.plus(a.min(b).max(1).ilog2() + terms.len().ilog2() + 8);
-        let count = primes_for(extent.bits()).min(self.primes.len());
+        let count = groups_for(extent.bits()).min(self.primes.len());
         let transform = |series: &Fixed| self.transform(series, size, count);
         let factors: Vec<_> = factors.iter().map(|(a, b)| (transform(a), transform(b))).collect();
         let terms: Vec<_> =
@@ -354,7 +338,7 @@ impl Workshop {
         self.settle_range(self.sum(&terms), range.start..len.min(size), self.bits - drop_a - drop_b)
     }
 
-    /// Primes that suffice for a product of any two series of this precision.
+    /// Groups of primes that suffice for a product of any two series of this precision.
     pub fn all_primes(&self) -> usize {
         self.primes.len()
     }
@@ -369,4 +353,42 @@ pub(super) fn extent_of(weight: i64, (a, x): (usize, Extent), (b, y): (usize, Ex
 /// Bits of the absolute value, at most one too many.
 fn bits_of(words: &[u64]) -> u32 {
     super::fixed::significant_bits(words)
+}
+
+vectorised! {
+    /// Every value times an integer.
+    fn multiply(primes: &'a Primes, values: &'a mut [Lanes], factor: i64) {
+        let primes = *primes;
+        let factor = primes.integer(factor);
+        for value in values {
+            *value = primes.reduce(primes.mul(*value, factor));
+        }
+    }
+}
+
+vectorised! {
+    /// Adds weighted sums of products of the values from `start` on.
+    fn add_groups(primes: &'a Primes, groups: &'a [Group<'a>], start: usize, row: &'a mut [Lanes]) {
+        let primes = *primes;
+        for (weight, pairs) in groups {
+            let weight = primes.integer(*weight);
+            for (start, row) in (start..).step_by(BLOCK).zip(row.chunks_mut(BLOCK)) {
+                let mut total = [Lanes::ZERO; BLOCK];
+                for pairs in pairs.chunks(LAZY) {
+                    for (a, b) in pairs {
+                        let range = start..start + row.len();
+                        for ((sum, &x), &y) in total.iter_mut().zip(&a.values[range.clone()]).zip(&b.values[range]) {
+                            *sum = *sum + primes.mul(x, y);
+                        }
+                    }
+                    for sum in &mut total[..row.len()] {
+                        *sum = primes.reduce(*sum);
+                    }
+                }
+                for (value, &sum) in row.iter_mut().zip(&total) {
+                    *value = primes.reduce(*value + primes.mul(sum, weight));
+                }
+            }
+        }
+    }
 }

@@ -1,35 +1,34 @@
-//! Exact trajectories by way of many word-size primes.
+//! Exact trajectories by way of many primes.
 //!
-//! The series are derived modulo one prime after the other; a proved bound on denominators and sizes says how many
-//! primes determine every coefficient.
+//! The orders are found modulo eight primes at a time; a proved bound on denominators and sizes says how many primes
+//! determine every coefficient.
 
-mod damped;
 mod denominators;
-mod linearised;
-mod modulus;
-mod reconstruct;
-mod undamped;
+mod motion;
+mod residues;
 
-use crate::kernels::Prime;
+use crate::kernels::{Fixed, LANES, Lanes, Level, Primes, Table, groups_for, primes, vectorised};
 use crate::recurrence;
 use crate::trajectories::index;
 use crate::{BoundError, TailBound, Trajectories, turning_time};
-use damped::damped_orders;
 use denominators::Denominators;
-use modulus::Modulus;
+use motion::Motion;
 use num_rational::{BigRational, Ratio};
 use num_traits::One;
 use rayon::prelude::*;
-use reconstruct::Basis;
+use residues::Residues;
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use restitution_real::convert::big_integer;
 use rug::Integer;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use undamped::Undamped;
 
 /// Terms up to which the plain rational recurrence is as fast.
 const FEW_TERMS: usize = 24;
+/// Steps by which fewer primes are used for smaller coefficients.
+const LEVELS: usize = 16;
+/// Coefficients that are reconstructed together.
+const BLOCK: usize = 16;
 /// Largest lattice index that the sieve for the denominators is made for.
 const LARGEST_INDEX: i64 = 100_000_000;
 
@@ -37,8 +36,8 @@ impl Trajectories {
     /// Derives `x_0 .. x_N` for `N = damping_order` with the first `terms` coefficients each.
     ///
     /// The numerators over a proved multiple of the denominators are found modulo enough primes below
-    /// `2^62` to determine them, by the proved bound of [`TailBound`] on their size (`docs/error-bounds.md`).
-    /// Cost: `O(J log J)` word operations for each prime and order, about `J` primes; split over all cores. Few terms,
+    /// `2^50` to determine them, by the proved bound of [`TailBound`] on their size (`docs/error-bounds.md`).
+    /// Cost: `O(J log J)` operations for each prime and order, about `J` primes; split over all cores. Few terms,
     /// and laws without such a bound, are done in plain fractions.
     ///
     /// # Examples
@@ -109,51 +108,95 @@ fn reconstruct_all(
     };
     let most =
         (0..=damping_order).flat_map(|n| (0..terms).map(move |j| (n, j))).map(|(n, j)| bits(n, j)).max();
-    // Every prime has more than 61 bits.
-    let count = most.unwrap_or(0) as usize / 61 + 1;
-    let primes: Vec<Prime> = Prime::falling().take(count).collect();
+    let count = groups_for(most.unwrap_or(0));
+    let primes = primes(count);
+    if primes.len() < count {
+        return Trajectories::from_orders(law, terms, recurrence::coefficients(law, damping_order, terms));
+    }
     let done = AtomicUsize::new(0);
-    let residues = |&prime: &Prime| {
-        let rows = numerators_modulo(prime, law, damping_order, terms, &denominators);
+    let mut residues = vec![Lanes::ZERO; count * (damping_order + 1) * terms];
+    let stride = (damping_order + 1) * terms;
+    let fill = |(primes, rows): (&Primes, &mut [Lanes])| {
+        numerators_modulo(*primes, law, terms, &denominators, rows);
         watch(Ratio::new_raw(done.fetch_add(1, Ordering::Relaxed) + 1, count));
-        rows
     };
-    let residues: Vec<Vec<Vec<u64>>> = primes.par_iter().map(residues).collect();
-    let basis = Basis::new(primes);
+    primes.par_iter().zip(residues.par_chunks_mut(stride)).for_each(fill);
+    let needed = |place: usize| groups_for(bits(place / terms, place % terms));
+    let numerators = integers(&primes, &residues, stride, needed);
     let coefficient = |n: usize, j: usize| {
-        let numerator = basis.integer(residues.iter().map(|rows| rows[n][j]), bits(n, j));
-        let common = Integer::from(numerator.gcd_ref(&multiples[n][j]));
-        let denominator = Integer::from(multiples[n][j].div_exact_ref(&common));
-        BigRational::new_raw(big_integer(&numerator.div_exact(&common)), big_integer(&denominator))
+        let (numerator, multiple) = (&numerators[n * terms + j], &multiples[n][j]);
+        let common = Integer::from(numerator.gcd_ref(multiple));
+        let denominator = Integer::from(multiple.div_exact_ref(&common));
+        BigRational::new_raw(
+            big_integer(&Integer::from(numerator.div_exact_ref(&common))),
+            big_integer(&denominator),
+        )
     };
     let row = |n: usize| (0..terms).into_par_iter().map(move |j| coefficient(n, j)).collect();
     Trajectories::from_orders(law, terms, (0..=damping_order).map(row).collect())
 }
 
-/// The coefficients times the multiples of their denominators, modulo one prime.
+/// The integers with the given residues at every place, of which each needs so many groups of primes.
+fn integers(
+    primes: &[Primes],
+    residues: &[Lanes],
+    stride: usize,
+    needed: impl Fn(usize) -> usize,
+) -> Vec<Integer> {
+    let scales = vec![Lanes::ONE; primes.len()];
+    let table = Table { values: residues, stride, scales: &scales };
+    let step = primes.len().div_ceil(LEVELS);
+    let mut integers = vec![Integer::new(); stride];
+    let levels: Vec<usize> =
+        (0..stride).map(|place| needed(place).next_multiple_of(step).min(primes.len())).collect();
+    for count in (0..=primes.len()).filter(|count| levels.contains(count)) {
+        let level = Level::new(&primes[..count], 0);
+        let width = count * LANES * 50 / 64 + 1;
+        let places: Vec<usize> = (0..stride).filter(|&place| levels[place] == count).collect();
+        let block = |places: &[usize]| {
+            let mut words = vec![0; width * places.len()];
+            level.write(&primes[..count], &table, places, &mut words);
+            let found = Fixed::from_words(words, width);
+            (0..found.len()).map(|i| found.integer(i)).collect::<Vec<_>>()
+        };
+        let found: Vec<Integer> = places.par_chunks(BLOCK).flat_map_iter(block).collect();
+        places.into_iter().zip(found).for_each(|(place, integer)| integers[place] = integer);
+    }
+    integers
+}
+
+/// The coefficients times the multiples of their denominators, modulo eight primes, order by order.
 fn numerators_modulo(
-    prime: Prime,
+    primes: Primes,
     law: &ForceLaw,
-    damping_order: usize,
     terms: usize,
     denominators: &Denominators,
-) -> Vec<Vec<u64>> {
-    let modulus = Modulus::new(prime);
-    let undamped = Undamped::solve(&modulus, law, terms);
-    let rows = damped_orders(&modulus, law, undamped, damping_order);
-    let numerators = |(n, row): (usize, Vec<u64>)| {
-        let mut values: Vec<u64> = row.into_iter().map(|q| prime.value(q)).collect();
-        let mut multiple = prime.one;
-        let mut done = 0;
-        denominators.growth(n, terms, |j, factor| {
-            values[done..j].iter_mut().for_each(|value| *value = prime.mul(*value, multiple));
-            done = done.max(j);
-            multiple = prime.mul(multiple, prime.form(factor as i64));
-        });
-        values[done..].iter_mut().for_each(|value| *value = prime.mul(*value, multiple));
-        values
-    };
-    rows.into_iter().enumerate().map(numerators).collect()
+    rows: &mut [Lanes],
+) {
+    let field = Residues::new(primes);
+    let motion = Motion { field: &field, lattice: law.lattice(), shared: law.is_viscoelastic(), terms };
+    let orders = motion.orders(rows.len() / terms - 1);
+    for (n, (row, order)) in rows.chunks_exact_mut(terms).zip(orders).enumerate() {
+        let mut growth = Vec::new();
+        denominators.growth(n, terms, |j, factor| growth.push((j, factor)));
+        row.copy_from_slice(&order);
+        multiply_by_growth(&primes, row, &growth);
+    }
+}
+
+vectorised! {
+    /// Every value times all factors that are listed up to its place, in rising order of places.
+    fn multiply_by_growth(primes: &'a Primes, values: &'a mut [Lanes], growth: &'a [(usize, u64)]) {
+        let primes = *primes;
+        let mut multiple = Lanes::ONE;
+        let mut factors = growth.iter().peekable();
+        for (j, value) in values.iter_mut().enumerate() {
+            while let Some((_, factor)) = factors.next_if(|(at, _)| *at <= j) {
+                multiple = primes.reduce(primes.mul(multiple, Lanes::splat(*factor as f64)));
+            }
+            *value = primes.reduce(primes.mul(*value, multiple));
+        }
+    }
 }
 
 #[cfg(test)]
