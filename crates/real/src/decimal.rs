@@ -153,13 +153,9 @@ fn nearest_multiple(n: Integer, bits: u32) -> (Integer, Float) {
 /// An upper bound of `x 10^power`, `x >= 0`; exact where it can be.
 fn times_power_of_ten_up(x: &Float, power: i64) -> Option<Float> {
     let ten = Float::with_val(64, 10);
-    let factor = Float::with_val_round(64, ten.pow(i32::try_from(power).ok()?), Round::Up).0;
+    let factor = Float::with_val_round(64, Pow::pow(&ten, i32::try_from(power).ok()?), Round::Up).0;
     let mut out = Float::with_val_round(64, x, Round::Up).0;
     out.mul_assign_round(&factor, Round::Up);
-    // The power is within a few units of its 64 bits, exact up to 10^27: 2^-60 covers it.
-    if !(0..=27).contains(&power) && !out.is_zero() {
-        out.mul_assign_round(&(Float::with_val(64, 1) + Float::with_val(64, 2).pow(-60)), Round::Up);
-    }
     Some(out)
 }
 

@@ -22,7 +22,7 @@ impl Ball {
         if self.is_exact() && self.mid.is_zero() {
             return self.clone();
         }
-        if !self.is_positive() || !self.is_finite() {
+        if !self.is_positive() {
             return Self::whole_line(self.prec());
         }
         let (mid, direction) = Float::with_val_round(self.prec(), self.mid.sqrt_ref(), Round::Nearest);
@@ -55,7 +55,7 @@ impl Ball {
     /// `|ln X - ln x| <= ln(1 + r/(x - r))`.
     #[must_use]
     pub fn ln(&self) -> Self {
-        if !self.is_positive() || !self.is_finite() {
+        if !self.is_positive() {
             return Self::whole_line(self.prec());
         }
         let (mid, direction) = Float::with_val_round(self.prec(), self.mid.ln_ref(), Round::Nearest);
@@ -85,8 +85,8 @@ impl Ball {
             return self.clone();
         }
         // A few bits more carry the logarithm's size, so that the result keeps the precision.
-        let guarded = self.with_prec(self.prec() + 16);
-        (guarded.ln() * Self::from_rational(exponent, self.prec() + 16)).exp().with_prec(self.prec())
+        let guarded = self.with_prec(self.prec().saturating_add(16));
+        (guarded.ln() * Self::from_rational(exponent, guarded.prec())).exp().with_prec(self.prec())
     }
 
     /// Returns the gamma function of a positive ball; the whole line elsewhere.
@@ -94,7 +94,7 @@ impl Ball {
     /// Gamma is convex on the positive axis, so `|Gamma'| = |Gamma psi|` is largest at an end.
     #[must_use]
     pub fn gamma(&self) -> Self {
-        if !self.is_positive() || !self.is_finite() {
+        if !self.is_positive() {
             return Self::whole_line(self.prec());
         }
         let (mid, direction) = Float::with_val_round(self.prec(), self.mid.gamma_ref(), Round::Nearest);
@@ -127,11 +127,7 @@ impl Ball {
 
 /// An upper bound of `|Gamma'(x)| = |Gamma(x) psi(x)|` at one point.
 fn slope_of_gamma_up(x: &Float) -> Float {
-    // Both factors are rounded to nearest with 64 bits; the last step rounds up by far more.
-    let gamma = Float::with_val(64, x.gamma_ref());
-    let psi = Float::with_val(64, x.digamma_ref());
-    let mut product = Float::with_val(64, gamma * psi);
-    product.abs_mut();
-    product.mul_assign_round(1.0 + 2.0_f64.powi(-40), Round::Up);
-    Float::with_val_round(RADIUS_BITS, product, Round::Up).0
+    let mut slope = Float::with_val_round(RADIUS_BITS, x.digamma_ref(), Round::AwayZero).0.abs();
+    slope.mul_assign_round(&Float::with_val_round(RADIUS_BITS, x.gamma_ref(), Round::Up).0, Round::Up);
+    slope
 }
