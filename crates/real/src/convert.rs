@@ -1,4 +1,4 @@
-//! Exact conversions between the numbers of num-bigint and those of GMP.
+//! Exact conversions between the numbers of num-bigint and those of GMP, and to decimals.
 
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
@@ -26,4 +26,23 @@ pub fn big_integer(value: &Integer) -> BigInt {
 /// Converts GMP's fraction, which is reduced, to num-rational's.
 pub fn big_rational(value: &Rational) -> BigRational {
     BigRational::new_raw(big_integer(value.numer()), big_integer(value.denom()))
+}
+
+/// Returns the fraction as num-rational prints it, `p/q` or `p`, in time that grows little faster than its length.
+///
+/// num-bigint takes time that grows with the square.
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_real::convert::fraction;
+///
+/// let value = BigRational::new((-6).into(), 4.into());
+/// assert_eq!(fraction(&value), "-3/2");
+/// assert_eq!(fraction(&BigRational::from_integer(7.into())), "7");
+/// ```
+pub fn fraction(value: &BigRational) -> String {
+    let numerator = rug_integer(value.numer()).to_string();
+    if value.is_integer() { numerator } else { format!("{numerator}/{}", rug_integer(value.denom())) }
 }

@@ -3,6 +3,7 @@
 use crate::FractionalSeries;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, Signed, Zero};
+use restitution_real::convert::fraction;
 use std::fmt;
 
 impl fmt::Display for FractionalSeries {
@@ -25,9 +26,9 @@ impl fmt::Display for FractionalSeries {
 
 fn term(c: &BigRational, exponent: &Ratio<i64>) -> String {
     match (c.is_one(), exponent.is_zero()) {
-        (_, true) => c.to_string(),
+        (_, true) => fraction(c),
         (true, false) => monomial(exponent),
-        (false, false) => format!("{c} {}", monomial(exponent)),
+        (false, false) => format!("{} {}", fraction(c), monomial(exponent)),
     }
 }
 

@@ -7,6 +7,7 @@ use crate::progress::Progress;
 use crate::{Cell, CliError, OutputArgs, Table, memory};
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, Signed, ToPrimitive};
+use restitution_real::convert::fraction;
 use restitution_series::Trajectories;
 
 /// The largest power of time that is accepted.
@@ -71,7 +72,7 @@ impl TrajectoryArgs {
             let coefficients = trajectories.coefficients(n)?.iter().take(self.within(trajectories, n));
             for (j, coefficient) in coefficients.enumerate() {
                 let exponent = Cell::digits(trajectories.exponent(n, j));
-                table.push(vec![n.into(), exponent, Cell::digits(coefficient)]);
+                table.push(vec![n.into(), exponent, Cell::digits(fraction(coefficient))]);
             }
         }
         Ok(table)
