@@ -1,12 +1,12 @@
 //! A power of a series in two variables, row by row, with the defect of what was found.
 
-use crate::kernels::{Convolution, Extent, Fixed, Group, Rows, Sum, Workshop, block_for};
+use crate::kernels::{Convolution, Extent, Fixed, Rows, Sum, Term, Workshop, block_for};
 
 /// Rows of a series `X` as factors of products, with their multiples.
 pub(crate) struct Base {
     pub plain: Rows,
-    /// Row `k` times `k`.
-    pub weighted: Rows,
+    /// Row `k` times `k`, where rows are multiplied in blocks.
+    pub weighted: Option<Rows>,
     size: usize,
 }
 
@@ -14,13 +14,14 @@ impl Base {
     /// For transforms of a size, and so many rows.
     pub fn new(size: usize, rows: usize) -> Self {
         let block = block_for(rows);
-        Self { plain: Rows::new(block), weighted: Rows::new(block), size }
+        Self { plain: Rows::new(block), weighted: (block < rows).then(|| Rows::new(block)), size }
     }
 
     pub fn push(&mut self, shop: &Workshop, row: &Fixed) {
         let row = shop.transform(row, self.size, shop.all_primes());
-        let order = u32::try_from(self.plain.len()).unwrap_or(u32::MAX);
-        self.weighted.push(shop, row.times(shop, order));
+        if let Some(weighted) = &mut self.weighted {
+            weighted.push(shop, row.times(shop, u32::try_from(self.plain.len()).unwrap_or(u32::MAX)));
+        }
         self.plain.push(shop, row);
     }
 }
@@ -59,24 +60,20 @@ impl PowerRows {
         let (t, r) = (n / block, n % block);
         let weights = [self.steps + self.unit, -self.unit * n as i64];
         let rows = &self.rows;
-        let largest = |weight: i64, x: &Rows| -> Extent {
-            let product = |k: usize| x.extent_of_product(k, weight, rows, n - k);
-            (1..n).map(product).fold(Extent::default(), Extent::or)
-        };
-        let most = largest(weights[0], &x.weighted).or(largest(weights[1], &x.plain));
-        let extent = most.plus((2 * n).ilog2() + 2);
-        let groups = [(weights[0], &x.weighted), (weights[1], &x.plain)].map(|(weight, x)| -> Group {
-            let first = (1..if t == 0 { n } else { r + 1 }).map(|k| (x.row(k), rows.row(n - k)));
-            let last = (1..if t == 0 { 1 } else { r + 1 }).map(|l| (x.row(n - l), rows.row(l)));
-            (weight, first.chain(last).collect())
-        });
+        let weight = |k: usize| weights[0] * k as i64 + weights[1];
+        let product = |k: usize| x.plain.extent_of_product(k, weight(k), rows, n - k);
+        let extent = (1..n).map(product).fold(Extent::default(), Extent::or).plus((2 * n).ilog2() + 2);
+        let first = 1..if t == 0 { n } else { r + 1 };
+        let last = (1..if t == 0 { 1 } else { r + 1 }).map(|l| n - l);
+        let terms: Vec<Term> =
+            first.chain(last).map(|k| (weight(k), x.plain.row(k), rows.row(n - k))).collect();
         // The defect has two more products, of rows that are hardly larger than those below.
         let weight = (self.steps.abs() + self.unit) * n as i64;
         let spare = extent.or(x.plain.extent_of_any(weight, rows)).plus(24);
-        let mut sum = shop.sum_of_groups(&groups, self.size, spare);
-        if t > 0 {
+        let mut sum = shop.sum_for(&terms, self.size, spare);
+        if let (1.., Some(weighted)) = (t, &x.weighted) {
             for (sums, x, weight) in
-                [(&mut self.weighted, &x.weighted, weights[0]), (&mut self.plain, &x.plain, weights[1])]
+                [(&mut self.weighted, weighted, weights[0]), (&mut self.plain, &x.plain, weights[1])]
             {
                 sums.prepare(shop, x, &self.rows, t);
                 sums.add_row(shop, &mut sum, r, weight);

@@ -2,9 +2,9 @@
 //!
 //! Both ways are sums of products of 32-bit digits with 25-bit halves of residues, in 64-bit integers.
 
-use super::digits::{DIGIT_MASK, Digits, HALF, HALF_MASK, ROWS, Sums};
+use super::digits::{DIGIT_MASK, Digits, HALF, HALF_MASK, ROWS};
 use super::fixed::{effective, is_negative};
-use super::lanes::{LANES, Lanes, each, vectorised};
+use super::lanes::{LANES, Lanes, each, turn, vectorised};
 use super::prime::Primes;
 use rug::Integer;
 use rug::integer::Order;
@@ -15,7 +15,7 @@ const GUARD: usize = 3;
 /// `2^(32 k)` modulo groups of primes: what carries words to residues.
 pub(crate) struct Radix {
     primes: Vec<Primes>,
-    /// For each digit the lower halves for all primes, then the upper halves.
+    /// For each digit the lower and the upper halves for eight primes after the other.
     powers: Digits,
     /// `2^32`, `2^25`, `2^57` for each group.
     shifts: Vec<[Lanes; 3]>,
@@ -41,17 +41,13 @@ impl Radix {
 
 vectorised! {
     fn fill(radix: &'a mut Radix) {
-        let half = LANES * radix.primes.len();
         for (group, (primes, shifts)) in radix.primes.iter().zip(&mut radix.shifts).enumerate() {
             *shifts = [primes.integer(1 << 32), primes.integer(1 << HALF), primes.integer(1 << (32 + HALF))];
             let mut power = Lanes::ONE;
             for digit in 0..radix.powers.lines() {
                 let residue = primes.least(power).integers();
-                let line = radix.powers.line(digit);
-                for l in 0..LANES {
-                    line[group * LANES + l] = (residue[l] & HALF_MASK) as u32;
-                    line[half + group * LANES + l] = (residue[l] >> HALF) as u32;
-                }
+                *radix.powers.block_mut(digit, 2 * group) = residue.map(|x| (x & HALF_MASK) as u32);
+                *radix.powers.block_mut(digit, 2 * group + 1) = residue.map(|x| (x >> HALF) as u32);
                 power = primes.reduce(primes.mul(power, shifts[0]));
             }
         }
@@ -60,8 +56,7 @@ vectorised! {
 
 vectorised! {
     fn residues(radix: &'a Radix, words: &'a [u64], width: usize, count: usize, out: &'a mut [Lanes]) {
-        let mut digits = Vec::with_capacity(2 * width + ROWS);
-        let mut sums = Sums::default();
+        let mut digits = Vec::with_capacity(2 * width);
         for (words, out) in words.chunks(ROWS * width).zip(out.chunks_mut(ROWS * count)) {
             // Of a negative number x, -1 - x.
             let mut signs = [0; ROWS];
@@ -71,24 +66,24 @@ vectorised! {
                 used = used.max(effective(words));
             }
             digits.clear();
-            digits.resize((2 * used).next_multiple_of(ROWS), [0; ROWS]);
+            digits.resize(2 * used, [0; ROWS]);
             for (r, words) in words.chunks_exact(width).enumerate() {
                 for (pair, word) in digits.as_chunks_mut::<2>().0.iter_mut().zip(&words[..used]) {
                     let word = word ^ signs[r];
                     (pair[0][r], pair[1][r]) = (word as u32, (word >> 32) as u32);
                 }
             }
-            radix.powers.multiply(&digits, &mut sums);
-            for (r, out) in out.chunks_exact_mut(count).enumerate() {
-                for (group, residue) in out.iter_mut().enumerate() {
+            for (group, (&primes, shifts)) in radix.primes.iter().zip(&radix.shifts).take(count).enumerate() {
+                let low = radix.powers.multiply(&digits, 2 * group);
+                let high = radix.powers.multiply(&digits, 2 * group + 1);
+                for (r, out) in out.chunks_exact_mut(count).enumerate() {
+                    turn();
                     // Each part is below 2^32 for every 128 products: below 2^50 for 2^24 words.
-                    let (low, high) = (sums.block(r, group), sums.block(r, radix.primes.len() + group));
-                    let (primes, shifts) = (radix.primes[group], &radix.shifts[group]);
-                    let a = primes.mul(Lanes::of(low.1), shifts[0]);
-                    let b = primes.mul(Lanes::of(high.0), shifts[1]);
-                    let c = primes.mul(Lanes::of(high.1), shifts[2]);
-                    let sum = Lanes::of(low.0) + a + b + c;
-                    *residue = primes.reduce(if signs[r] == 0 { sum } else { -sum - Lanes::ONE });
+                    let a = primes.mul(Lanes::of(&low.high[r]), shifts[0]);
+                    let b = primes.mul(Lanes::of(&high.low[r]), shifts[1]);
+                    let c = primes.mul(Lanes::of(&high.high[r]), shifts[2]);
+                    let sum = Lanes::of(&low.low[r]) + a + b + c;
+                    out[group] = primes.reduce(if signs[r] == 0 { sum } else { -sum - Lanes::ONE });
                 }
             }
         }
@@ -129,9 +124,11 @@ impl Level {
         let mut digits = Digits::zero(all.len(), whole.len());
         for (i, &p) in all.iter().enumerate() {
             let part = moved(Integer::from(&product / p));
-            digits.line(i)[..part.len()].copy_from_slice(&part);
+            for (block, part) in part.chunks(LANES).enumerate() {
+                digits.block_mut(i, block)[..part.len()].copy_from_slice(part);
+            }
         }
-        whole.resize(digits.width(), 0);
+        whole.resize(digits.blocks() * LANES, 0);
         let mut inverses = vec![Lanes::ONE; primes.len()];
         invert(primes, &all, &mut inverses);
         Self { inverses, digits, product: whole, guard }
@@ -179,7 +176,6 @@ vectorised! {
     fn write(level: &'a Level, primes: &'a [Primes], table: &'a Table<'a>, places: &'a [usize], out: &'a mut [u64]) {
         let width = out.len() / places.len();
         let mut halves = Vec::with_capacity(primes.len() * LANES);
-        let mut sums = Sums::default();
         for (places, out) in places.chunks(2).zip(out.chunks_mut(2 * width)) {
             halves.clear();
             let mut shares = [Lanes::ZERO; 2];
@@ -197,20 +193,21 @@ vectorised! {
                 }
                 halves.extend_from_slice(&eight);
             }
-            level.digits.multiply(&halves, &mut sums);
+            let mut writers: [Option<Writer>; 2] = [None, None];
             for (i, out) in out.chunks_exact_mut(width).enumerate() {
                 let quotient = shares[i].0.iter().sum::<f64>().round_ties_even() as i128;
-                let mut writer = Writer { out, carry: 0, place: 0, guard: level.guard };
-                for (block, product) in level.product.as_chunks::<LANES>().0.iter().enumerate() {
-                    let (low, high) = (sums.block(2 * i, block), sums.block(2 * i + 1, block));
+                writers[i] = Some(Writer { out, quotient, carry: 0, place: 0, guard: level.guard });
+            }
+            for (block, product) in level.product.as_chunks::<LANES>().0.iter().enumerate() {
+                let sums = level.digits.multiply(&halves, block);
+                for (i, writer) in writers.iter_mut().flatten().enumerate() {
                     for (l, &product) in product.iter().enumerate() {
-                        let low = i128::from(low.0[l]) + (i128::from(low.1[l]) << 32);
-                        let high = i128::from(high.0[l]) + (i128::from(high.1[l]) << 32);
-                        writer.push(low + (high << HALF) - quotient * i128::from(product));
+                        let part = |k: usize| i128::from(sums.low[k][l]) + (i128::from(sums.high[k][l]) << 32);
+                        writer.push(part(2 * i) + (part(2 * i + 1) << HALF), product);
                     }
                 }
-                writer.finish();
             }
+            writers.into_iter().flatten().for_each(Writer::finish);
         }
     }
 }
@@ -218,16 +215,18 @@ vectorised! {
 /// Digits that become two's complement words, rounded behind the guard digits.
 struct Writer<'o> {
     out: &'o mut [u64],
+    /// How often the product of the primes is taken away.
+    quotient: i128,
     carry: i128,
     place: usize,
     guard: usize,
 }
 
 impl Writer<'_> {
-    /// The next digit, not yet carried.
+    /// The next digit, not yet carried, and that of the product.
     #[inline(always)]
-    fn push(&mut self, digit: i128) {
-        self.carry += digit;
+    fn push(&mut self, digit: i128, product: u32) {
+        self.carry += digit - self.quotient * i128::from(product);
         if self.place + 1 == self.guard {
             self.carry += 1 << 31;
         }

@@ -1,6 +1,6 @@
 //! Sums of products of 32-bit digits with 25-bit halves of residues, in 64-bit integers.
 
-use super::lanes::LANES;
+use super::lanes::{LANES, turn};
 
 /// Bits in the lower half of a residue.
 pub(super) const HALF: u32 = 25;
@@ -8,105 +8,67 @@ pub(super) const HALF_MASK: u64 = (1 << HALF) - 1;
 pub(super) const DIGIT_MASK: u64 = 0xffff_ffff;
 /// Products below `2^57` that fit into 64 bits.
 const LAZY: usize = 128;
-/// Rows that are multiplied at once, and lines of the table that are taken together.
+/// Rows that are multiplied at once.
 pub(super) const ROWS: usize = 4;
 
-/// A table of numbers, line by line, each line a multiple of eight long.
+/// A table of numbers in blocks of eight columns, each block line by line.
 pub(super) struct Digits {
-    width: usize,
-    numbers: Vec<u32>,
+    lines: usize,
+    blocks: usize,
+    numbers: Vec<[u32; LANES]>,
 }
 
-/// Four rows of sums `low + 2^32 high`, both far below `2^64`.
-#[derive(Default)]
+/// Eight columns of four rows of sums `low + 2^32 high`, both far below `2^64`.
+#[derive(Clone, Copy)]
 pub(super) struct Sums {
-    width: usize,
-    sums: Vec<u64>,
-    low: Vec<u64>,
-    high: Vec<u64>,
-}
-
-impl Sums {
-    /// The low and the high parts of eight sums of a row.
-    #[inline(always)]
-    pub fn block(&self, row: usize, block: usize) -> (&[u64; LANES], &[u64; LANES]) {
-        let place = row * self.width / LANES + block;
-        (&self.low.as_chunks().0[place], &self.high.as_chunks().0[place])
-    }
+    pub low: [[u64; LANES]; ROWS],
+    pub high: [[u64; LANES]; ROWS],
 }
 
 impl Digits {
-    /// A table of zeros, with its lines a multiple of four and their length a multiple of eight.
-    pub fn zero(lines: usize, width: usize) -> Self {
-        let width = width.max(1).next_multiple_of(LANES);
-        Self { width, numbers: vec![0; lines.next_multiple_of(ROWS) * width] }
-    }
-
-    pub fn width(&self) -> usize {
-        self.width
+    /// A table of zeros with at least so many columns.
+    pub fn zero(lines: usize, columns: usize) -> Self {
+        let blocks = columns.max(1).div_ceil(LANES);
+        Self { lines, blocks, numbers: vec![[0; LANES]; lines * blocks] }
     }
 
     pub fn lines(&self) -> usize {
-        self.numbers.len() / self.width
+        self.lines
     }
 
-    pub fn line(&mut self, i: usize) -> &mut [u32] {
-        &mut self.numbers[i * self.width..(i + 1) * self.width]
+    pub fn blocks(&self) -> usize {
+        self.blocks
     }
 
-    /// `sum_i factors_(i,r) table_(i,k)` for the first lines, whose number is a multiple of four.
+    /// The numbers of a line in a block.
+    pub fn block_mut(&mut self, line: usize, block: usize) -> &mut [u32; LANES] {
+        &mut self.numbers[block * self.lines + line]
+    }
+
+    /// `sum_i factors_(i,r) table_(i,k)` over the first lines for the columns of a block.
     #[inline(always)]
-    pub fn multiply(&self, factors: &[[u32; ROWS]], out: &mut Sums) {
-        out.width = self.width;
-        for part in [&mut out.sums, &mut out.low, &mut out.high] {
-            part.clear();
-            part.resize(ROWS * self.width, 0);
-        }
-        for (factors, lines) in factors.chunks(LAZY).zip(self.numbers.chunks(LAZY * self.width)) {
-            for (factors, lines) in
-                factors.as_chunks::<ROWS>().0.iter().zip(lines.chunks_exact(ROWS * self.width))
-            {
-                self.add(factors, lines, &mut out.sums);
+    pub fn multiply(&self, factors: &[[u32; ROWS]], block: usize) -> Sums {
+        let column = &self.numbers[block * self.lines..(block + 1) * self.lines];
+        let mut out = Sums { low: [[0; LANES]; ROWS], high: [[0; LANES]; ROWS] };
+        for (factors, column) in factors.chunks(LAZY).zip(column.chunks(LAZY)) {
+            let mut sums = [[0u64; LANES]; ROWS];
+            for (factors, numbers) in factors.iter().zip(column) {
+                turn();
+                for (l, &number) in numbers.iter().enumerate() {
+                    let number = u64::from(number);
+                    sums[0][l] += number * u64::from(factors[0]);
+                    sums[1][l] += number * u64::from(factors[1]);
+                    sums[2][l] += number * u64::from(factors[2]);
+                    sums[3][l] += number * u64::from(factors[3]);
+                }
             }
-            for ((sum, low), high) in out.sums.iter_mut().zip(&mut out.low).zip(&mut out.high) {
-                *low += *sum & DIGIT_MASK;
-                *high += *sum >> 32;
-                *sum = 0;
+            for (r, sums) in sums.iter().enumerate() {
+                for (l, sum) in sums.iter().enumerate() {
+                    out.low[r][l] += sum & DIGIT_MASK;
+                    out.high[r][l] += sum >> 32;
+                }
             }
         }
-    }
-
-    /// Adds the products of four lines with four factors each.
-    #[inline(always)]
-    fn add(&self, factors: &[[u32; ROWS]; ROWS], lines: &[u32], sums: &mut [u64]) {
-        let width = self.width;
-        let (a, rest) = lines.split_at(width);
-        let (b, rest) = rest.split_at(width);
-        let (c, d) = rest.split_at(width);
-        let (w, rest) = sums.split_at_mut(width);
-        let (x, rest) = rest.split_at_mut(width);
-        let (y, z) = rest.split_at_mut(width);
-        add_lines([w, x, y, z], a, b, &c[..width], &d[..width], factors);
-    }
-}
-
-#[inline(always)]
-fn add_lines(
-    [w, x, y, z]: [&mut [u64]; ROWS],
-    a: &[u32],
-    b: &[u32],
-    c: &[u32],
-    d: &[u32],
-    factors: &[[u32; ROWS]; ROWS],
-) {
-    let [e, f, g, h] = factors.map(|factors| factors.map(u64::from));
-    let sums = w.iter_mut().zip(x).zip(y).zip(z);
-    let lines = a.iter().zip(b).zip(c).zip(d);
-    for ((((w, x), y), z), (((&a, &b), &c), &d)) in sums.zip(lines) {
-        let (a, b, c, d) = (u64::from(a), u64::from(b), u64::from(c), u64::from(d));
-        *w += a * e[0] + b * f[0] + c * g[0] + d * h[0];
-        *x += a * e[1] + b * f[1] + c * g[1] + d * h[1];
-        *y += a * e[2] + b * f[2] + c * g[2] + d * h[2];
-        *z += a * e[3] + b * f[3] + c * g[3] + d * h[3];
+        out
     }
 }

@@ -10,6 +10,12 @@ pub(crate) const LANES: usize = 8;
 #[repr(align(64))]
 pub(crate) struct Lanes(pub [f64; LANES]);
 
+/// At the head of a loop: keeps the compiler from taking several turns of it together, so that lanes make up vectors.
+#[inline(always)]
+pub(crate) fn turn() {
+    std::hint::black_box(());
+}
+
 /// The number in every lane: a plain loop, since a closure may not be inlined into vectorised code.
 macro_rules! each {
     (|$lane:ident| $value:expr) => {{

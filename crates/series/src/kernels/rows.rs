@@ -4,9 +4,9 @@
 //! the block under way are then found for a whole block of results at once (van der Hoeven's relaxed products,
 //! with one size of blocks). All of it is exact modulo every prime.
 
-use super::lanes::{Lanes, vectorised};
+use super::lanes::{Lanes, turn, vectorised};
 use super::prime::Primes;
-use super::workshop::{Extent, Sum, Transformed, Workshop, extent_of};
+use super::workshop::{Extent, Sum, Term, Transformed, Workshop, extent_of};
 use rayon::prelude::*;
 
 /// Results below which blocks don't pay.
@@ -164,10 +164,8 @@ impl Workshop {
         if pairs.is_empty() {
             return;
         }
-        let size = sum.size;
-        let groups = [(1, pairs.to_vec())];
-        let add = |(i, row): (usize, &mut [Lanes])| self.add_groups(i, size, &groups, row);
-        sum.values.par_chunks_mut(size).enumerate().for_each(add);
+        let terms: Vec<Term> = pairs.iter().map(|&(a, b)| (1, a, b)).collect();
+        self.add_terms(&terms, sum.size, &mut sum.values);
     }
 
     /// Transforms back along the rows: the first half of one sum and the second half of another.
@@ -199,6 +197,7 @@ vectorised! {
     fn join(primes: &'a Primes, x: &'a [Lanes], y: &'a [Lanes], out: &'a mut [Lanes]) {
         let half = out.len() / 2;
         for (q, value) in out.iter_mut().enumerate() {
+            turn();
             *value = primes.reduce(if q < half { x[q] + y[q] } else { x[q] - y[q] });
         }
     }
@@ -207,6 +206,7 @@ vectorised! {
 vectorised! {
     fn scale(primes: &'a Primes, values: &'a mut [Lanes], scale: Lanes) {
         for value in values {
+            turn();
             *value = primes.reduce(primes.mul(*value, scale));
         }
     }
@@ -217,6 +217,7 @@ vectorised! {
     fn add_weighted(primes: &'a Primes, sum: &'a mut [Lanes], x: &'a [Lanes], weight: i64) {
         let weight = primes.integer(weight);
         for (sum, &x) in sum.iter_mut().zip(x) {
+            turn();
             *sum = primes.reduce(*sum + primes.mul(x, weight));
         }
     }

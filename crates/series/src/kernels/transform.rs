@@ -1,6 +1,6 @@
 //! The number theoretic transform: products of polynomials modulo eight primes at once.
 
-use super::lanes::{Lanes, vectorised};
+use super::lanes::{Lanes, turn, vectorised};
 use super::prime::Primes;
 
 /// Lanes that are transformed to the end at once, to stay in the first cache.
@@ -90,6 +90,7 @@ impl Roots {
             let (low, high) = block.split_at_mut(2 * quarter);
             let ((x0, x1), (x2, x3)) = (low.split_at_mut(quarter), high.split_at_mut(quarter));
             for (((x0, x1), x2), x3) in x0.iter_mut().zip(x1).zip(x2).zip(x3) {
+                turn();
                 let (a, c, d) = (primes.reduce(*x0), primes.mul(*x2, w2), primes.mul(*x3, w2));
                 let (y0, y2) = (a + c, a - c);
                 let (y1, y3) = (primes.mul(*x1 + d, w), primes.mul(*x1 - d, iw));
@@ -111,6 +112,7 @@ impl Roots {
             let (low, high) = block.split_at_mut(2 * quarter);
             let ((x0, x1), (x2, x3)) = (low.split_at_mut(quarter), high.split_at_mut(quarter));
             for (((x0, x1), x2), x3) in x0.iter_mut().zip(x1).zip(x2).zip(x3) {
+                turn();
                 let (s, t) = (*x0 + *x1, *x2 + *x3);
                 let (d, e) = (primes.mul(*x0 - *x1, w), primes.mul(*x2 - *x3, iw));
                 *x0 = primes.reduce(s + t);
@@ -153,6 +155,7 @@ vectorised! {
             let (x, rest) = values.split_at_mut(roots.block);
             let (y, z) = rest.split_at_mut(roots.block);
             for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+                turn();
                 let turned = primes.mul(*y - *z, omega);
                 (*x, *y, *z) = (*x + *y + *z, *x - *z + turned, *x - *y - turned);
             }
@@ -171,11 +174,13 @@ vectorised! {
                 }
                 if len == 2 {
                     for (pair, b) in values.as_chunks_mut::<2>().0.iter_mut().zip(first..) {
+                        turn();
                         let (x, y) = (primes.reduce(pair[0]), primes.mul(pair[1], roots.root(2 * third % 3, b)));
                         *pair = [x + y, x - y];
                     }
                 }
                 for value in values {
+                    turn();
                     *value = primes.reduce(*value);
                 }
             }
@@ -190,6 +195,7 @@ vectorised! {
             let odd = roots.block.ilog2() % 2 == 1;
             if odd {
                 for (b, pair) in values.as_chunks_mut::<2>().0.iter_mut().enumerate() {
+                    turn();
                     let inverse = roots.inverse(2 * third % 3, b);
                     *pair = [primes.reduce(pair[0] + pair[1]), primes.mul(pair[0] - pair[1], inverse)];
                 }
@@ -205,6 +211,7 @@ vectorised! {
             let (x, rest) = values.split_at_mut(roots.block);
             let (y, z) = rest.split_at_mut(roots.block);
             for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+                turn();
                 let turned = primes.mul(*y - *z, omega);
                 (*x, *y, *z) = (*x + *y + *z, *x - *y - turned, *x - *z + turned);
             }

@@ -2,7 +2,7 @@
 
 use super::basis::{Level, Radix, Table};
 use super::fixed::Fixed;
-use super::lanes::{Lanes, vectorised};
+use super::lanes::{Lanes, turn, vectorised};
 use super::prime::{Primes, capacity, groups_for, primes};
 use super::transform::{Roots, size_for};
 use rayon::prelude::*;
@@ -13,7 +13,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// Operations on eight primes below which a second thread costs more than it brings.
 const WORTH_SPLITTING: usize = 10_000;
-/// Products of two reduced residues, each below `0.6 p`, that are summed before the sum is reduced.
+/// Products of reduced residues, each below `0.8 p` with its weight, that are summed before the sum is reduced.
 const LAZY: usize = 8;
 /// Places that are summed together, to stay in the first cache.
 const BLOCK: usize = 64;
@@ -100,8 +100,8 @@ pub(crate) struct Sum {
     pub(super) values: Vec<Lanes>,
 }
 
-/// A group of products with one integer weight.
-pub(crate) type Group<'t> = (i64, Vec<(&'t Transformed, &'t Transformed)>);
+/// A product with an integer weight.
+pub(crate) type Term<'t> = (i64, &'t Transformed, &'t Transformed);
 
 impl Workshop {
     /// For multiples of `2^-bits`, `bits >= 64`, of absolute value below `2^head`.
@@ -190,33 +190,26 @@ impl Workshop {
     }
 
     /// The sum of products, each with its weight, modulo as many primes as its size needs.
-    pub fn sum(&self, terms: &[(i64, &Transformed, &Transformed)]) -> Sum {
-        let groups: Vec<Group> = terms.iter().map(|&(weight, a, b)| (weight, vec![(a, b)])).collect();
-        self.sum_of_groups(&groups, terms[0].1.size, Extent::default())
+    pub fn sum(&self, terms: &[Term]) -> Sum {
+        self.sum_for(terms, terms[0].1.size, Extent::default())
     }
 
-    /// The sum of groups of products, modulo as many primes as the extent given needs, or more.
-    pub fn sum_of_groups(&self, groups: &[Group], size: usize, extent: Extent) -> Sum {
-        let products =
-            || groups.iter().flat_map(|(weight, pairs)| pairs.iter().map(move |pair| (weight, pair)));
-        let most = products()
-            .map(|(weight, (a, b))| extent_of(*weight, a.scale(), b.scale()))
+    /// The sum of products modulo as many primes as the extent given needs, or more.
+    pub fn sum_for(&self, terms: &[Term], size: usize, extent: Extent) -> Sum {
+        let most = terms
+            .iter()
+            .map(|(weight, a, b)| extent_of(*weight, a.scale(), b.scale()))
             .fold(Extent::default(), Extent::or);
-        let needed = most.plus(products().count().max(1).ilog2() + 2);
+        let needed = most.plus(terms.len().max(1).ilog2() + 2);
         let count = groups_for(extent.bits().min(capacity(self.primes.len())).max(needed.bits()));
-        debug_assert!(products().all(|(_, (a, b))| a.size == size && b.size == size));
-        let known = products().map(|(_, (a, b))| a.count.min(b.count)).min().unwrap_or(count);
+        debug_assert!(terms.iter().all(|(_, a, b)| a.size == size && b.size == size));
+        let known = terms.iter().map(|(_, a, b)| a.count.min(b.count)).min().unwrap_or(count);
         if known < count {
             self.overflow.store(true, Ordering::Relaxed);
         }
         let count = count.min(known);
         let mut values = vec![Lanes::ZERO; size * count];
-        let fill = |(i, row): (usize, &mut [Lanes])| self.add_groups(i, size, groups, row);
-        if products().count() * size * count > WORTH_SPLITTING {
-            values.par_chunks_mut(size).enumerate().for_each(fill);
-        } else {
-            values.chunks_mut(size).enumerate().for_each(fill);
-        }
+        self.add_terms(terms, size, &mut values);
         Sum { size, count, extent: needed, values }
     }
 
@@ -229,8 +222,7 @@ impl Workshop {
     }
 
     /// Adds products to a sum, if it has the primes for them.
-    pub fn add(&self, sum: &mut Sum, terms: &[(i64, &Transformed, &Transformed)]) -> Option<()> {
-        let groups: Vec<Group> = terms.iter().map(|&(weight, a, b)| (weight, vec![(a, b)])).collect();
+    pub fn add(&self, sum: &mut Sum, terms: &[Term]) -> Option<()> {
         let most = terms
             .iter()
             .map(|&(weight, a, b)| extent_of(weight, a.scale(), b.scale()))
@@ -239,13 +231,18 @@ impl Workshop {
         if groups_for(sum.extent.bits()) > sum.count {
             return None;
         }
-        let size = sum.size;
-        sum.values.chunks_mut(size).enumerate().for_each(|(i, row)| self.add_groups(i, size, &groups, row));
+        self.add_terms(terms, sum.size, &mut sum.values);
         Some(())
     }
 
-    pub(super) fn add_groups(&self, i: usize, size: usize, groups: &[Group], row: &mut [Lanes]) {
-        add_groups(&self.primes[i], groups, i * size, row);
+    /// Adds products to values modulo the first groups of primes.
+    pub(super) fn add_terms(&self, terms: &[Term], size: usize, values: &mut [Lanes]) {
+        let fill = |(i, row): (usize, &mut [Lanes])| add_terms(&self.primes[i], terms, i * size, row);
+        if terms.len() * values.len() > WORTH_SPLITTING {
+            values.par_chunks_mut(size).enumerate().for_each(fill);
+        } else {
+            values.chunks_mut(size).enumerate().for_each(fill);
+        }
     }
 
     /// Transforms back and returns the first `len` coefficients divided by `2^shift`, `shift >= 64`.
@@ -361,32 +358,36 @@ vectorised! {
         let primes = *primes;
         let factor = primes.integer(factor);
         for value in values {
+            turn();
             *value = primes.reduce(primes.mul(*value, factor));
         }
     }
 }
 
 vectorised! {
-    /// Adds weighted sums of products of the values from `start` on.
-    fn add_groups(primes: &'a Primes, groups: &'a [Group<'a>], start: usize, row: &'a mut [Lanes]) {
+    /// Adds weighted products of the values from `start` on.
+    fn add_terms(primes: &'a Primes, terms: &'a [Term<'a>], start: usize, row: &'a mut [Lanes]) {
         let primes = *primes;
-        for (weight, pairs) in groups {
-            let weight = primes.integer(*weight);
-            for (start, row) in (start..).step_by(BLOCK).zip(row.chunks_mut(BLOCK)) {
-                let mut total = [Lanes::ZERO; BLOCK];
-                for pairs in pairs.chunks(LAZY) {
-                    for (a, b) in pairs {
-                        let range = start..start + row.len();
-                        for ((sum, &x), &y) in total.iter_mut().zip(&a.values[range.clone()]).zip(&b.values[range]) {
+        for (start, row) in (start..).step_by(BLOCK).zip(row.chunks_mut(BLOCK)) {
+            for terms in terms.chunks(LAZY) {
+                for (weight, a, b) in terms {
+                    let (a, b) = (&a.values[start..start + row.len()], &b.values[start..start + row.len()]);
+                    if *weight == 1 {
+                        for ((sum, &x), &y) in row.iter_mut().zip(a).zip(b) {
+                            turn();
                             *sum = *sum + primes.mul(x, y);
                         }
-                    }
-                    for sum in &mut total[..row.len()] {
-                        *sum = primes.reduce(*sum);
+                    } else {
+                        let weight = primes.integer(*weight);
+                        for ((sum, &x), &y) in row.iter_mut().zip(a).zip(b) {
+                            turn();
+                            *sum = *sum + primes.mul(primes.mul(x, y), weight);
+                        }
                     }
                 }
-                for (value, &sum) in row.iter_mut().zip(&total) {
-                    *value = primes.reduce(*value + primes.mul(sum, weight));
+                for sum in row.iter_mut() {
+                    turn();
+                    *sum = primes.reduce(*sum);
                 }
             }
         }

@@ -7,7 +7,7 @@ mod denominators;
 mod motion;
 mod residues;
 
-use crate::kernels::{Fixed, LANES, Lanes, Level, Primes, Table, groups_for, primes, vectorised};
+use crate::kernels::{Fixed, LANES, Lanes, Level, Primes, Table, groups_for, primes, turn, vectorised};
 use crate::recurrence;
 use crate::trajectories::index;
 use crate::{BoundError, TailBound, Trajectories, turning_time};
@@ -191,6 +191,7 @@ vectorised! {
         let mut multiple = Lanes::ONE;
         let mut factors = growth.iter().peekable();
         for (j, value) in values.iter_mut().enumerate() {
+            turn();
             while let Some((_, factor)) = factors.next_if(|(at, _)| *at <= j) {
                 multiple = primes.reduce(primes.mul(multiple, Lanes::splat(*factor as f64)));
             }

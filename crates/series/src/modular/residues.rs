@@ -1,6 +1,6 @@
 //! Power series modulo eight primes at once.
 
-use crate::kernels::{Lanes, Primes, Roots, size_for, vectorised};
+use crate::kernels::{Lanes, Primes, Roots, size_for, turn, vectorised};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -127,6 +127,7 @@ vectorised! {
         let primes = *primes;
         let weight = primes.integer(weight);
         for ((sum, &a), &b) in sum.iter_mut().zip(a).zip(b) {
+            turn();
             *sum = primes.reduce(*sum + primes.mul(primes.mul(a, b), weight));
         }
     }
@@ -138,6 +139,7 @@ vectorised! {
         let primes = *primes;
         let factor = if divisor == 1 { factor } else { primes.reduce(primes.mul(factor, primes.reciprocal(primes.integer(divisor)))) };
         for value in values {
+            turn();
             *value = primes.reduce(primes.mul(*value, factor));
         }
     }
@@ -147,6 +149,7 @@ vectorised! {
     fn multiply_by_integers(primes: &'a Primes, values: &'a mut [Lanes], integers: &'a [i64]) {
         let primes = *primes;
         for (value, &integer) in values.iter_mut().zip(integers) {
+            turn();
             *value = primes.reduce(primes.mul(*value, primes.integer(integer)));
         }
     }
@@ -156,6 +159,7 @@ vectorised! {
     fn multiply(primes: &'a Primes, values: &'a mut [Lanes], by: &'a [Lanes]) {
         let primes = *primes;
         for (value, &by) in values.iter_mut().zip(by) {
+            turn();
             *value = primes.reduce(primes.mul(*value, by));
         }
     }
@@ -165,6 +169,7 @@ vectorised! {
     fn add(primes: &'a Primes, values: &'a mut [Lanes], others: &'a [Lanes]) {
         let primes = *primes;
         for (value, &other) in values.iter_mut().zip(others) {
+            turn();
             *value = primes.reduce(*value + other);
         }
     }
@@ -177,6 +182,7 @@ vectorised! {
         let mut products = [Lanes::ONE; CHAINS];
         for (integers, out) in integers.chunks_exact(CHAINS).zip(out.chunks_exact_mut(CHAINS)) {
             for c in 0..CHAINS {
+                turn();
                 out[c] = products[c];
                 products[c] = primes.mul(products[c], primes.integer(integers[c]));
             }
@@ -187,6 +193,7 @@ vectorised! {
         }
         for (integers, out) in integers.chunks_exact(CHAINS).zip(out.chunks_exact_mut(CHAINS)).rev() {
             for c in 0..CHAINS {
+                turn();
                 out[c] = primes.reduce(primes.mul(out[c], inverses[c]));
                 inverses[c] = primes.mul(inverses[c], primes.integer(integers[c]));
             }
