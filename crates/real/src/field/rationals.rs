@@ -110,6 +110,7 @@ mod tests {
     #[test]
     fn few_digits_make_the_better_divisor() {
         let rank = |n, d| Rationals.pivot_rank(&Rationals.ratio(n, d));
+        assert!(rank(15, 13) > rank(1000, 1));
         assert!(rank(1, 1) > rank(3, 1) && rank(3, 1) > rank(3, 2) && rank(-3, 2) > rank(5, 2));
     }
 }
