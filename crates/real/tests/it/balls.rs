@@ -95,6 +95,12 @@ fn ends_signs_and_widths() {
         assert!(rounded.prec() == prec && rounded.contains(&x), "{x:?} {rounded:?}");
         let off = if exact(rounded.mid()) == mid { Rational::new() } else { half_unit(&rounded) };
         assert!(not_wider(&rounded, &(&rad + off)), "{x:?} {rounded:?}");
+        let power = random.between(-90, 90) as i32;
+        let (shifted, factor) = (x.shifted(power), Rational::from(2).pow(power));
+        assert_eq!(
+            (exact(shifted.mid()), exact(shifted.rad())),
+            (mid.clone() * &factor, rad.clone() * factor)
+        );
         let error = random.float(20, -7).abs();
         let wider = x.clone().widened(&error);
         let sum = exact(&error) + &rad;
