@@ -107,6 +107,7 @@ bench-python: tools $(PYTHON)/ready ## measure the Python package beside formula
 	$(PYTHON)/bin/python bench/python/epsilon.py
 
 bench-peers: tools bench/.venv/ready ## measure the series engine against FLINT and PARI/GP in one run
+	$(CARGO) build --release --locked --quiet --package restitution-cli
 	$(CARGO) build --release --locked --quiet --package restitution-series --examples
 	bench/.venv/bin/python bench/peers/compare.py
 

@@ -43,4 +43,5 @@ mod support;
 mod tables_fresh;
 mod tiers;
 mod time_step;
+mod true_errors;
 mod velocity;

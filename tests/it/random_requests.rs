@@ -1,6 +1,6 @@
 //! Requests at random: what a run prints is confirmed by a second one at 40 more digits.
 
-use crate::numbers::{ratio, within_a_unit};
+use crate::numbers::{decimal, ratio, within_a_unit};
 use crate::support::{cases, generator};
 use num_rational::BigRational;
 use proptest::prelude::*;
@@ -63,6 +63,11 @@ fn force_law((a, gamma): (BigRational, BigRational)) -> Option<ForceLaw> {
     ForceLaw::new(a, gamma).ok()
 }
 
+/// Whether the ball holds the middle between two decimals, as that of `a_2 = 9/8` to three digits does.
+fn is_tie(ball: &Ball, one: &str, other: &str) -> bool {
+    ball.contains_rational(&((decimal(one).0 + decimal(other).0) / ratio(2, 1)))
+}
+
 #[test]
 fn digits_of_random_requests_are_confirmed() {
     let mut refused = 0;
@@ -84,7 +89,11 @@ fn digits_of_random_requests_are_confirmed() {
             let shown = first.to_digits(digits).unwrap_or_else(|| panic!("{law} {asked:?} {digits}, {k}"));
             assert!(within_a_unit(second, &shown), "{law} {asked:?}, {k}: {shown}, but {second:?}");
             assert!(first.overlaps(second), "{law} {asked:?} {digits}, {k}: {first:?}, but {second:?}");
-            assert_eq!(second.to_digits(digits), Some(shown), "{law} {asked:?}, {k}");
+            let again = second.to_digits(digits).unwrap_or_else(|| panic!("{law} {asked:?} {digits}, {k}"));
+            assert!(
+                again == shown || is_tie(second, &again, &shown),
+                "{law} {asked:?}, {k}: {again} {shown}"
+            );
         }
     }
     println!("{total} requests, {refused} of them refused by a message");
