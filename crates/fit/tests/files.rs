@@ -33,6 +33,12 @@ fn one_table_in_many_hands() {
         b"g, e\n0,01, 0,5\n0,0203, 0,4\n1,2, 0,25",
         b"v;e\n1cm/s;0.5\n2.03 cm/s;0.4\n120cm/s;0.25\n",
         b"0,01 0,5\n0,0203 0,4\n1,2 0,25\n",
+        b"sep=;\r\nGeschwindigkeit [cm/s];Sto\xdfzahl\r\n1,0;0,5\r\n2,03;0,4\r\n120;0,25\r\n",
+        b"Vn_impact (mm s^{-1}),Coeff. of Restitution\n10,0.5\n20.3,0.4\n1'200,0.25\n",
+        b"v\xa0e\n0.01\xa00.5\n0.0203\xa00.4\n1.2\xa00.25\n",
+        b"velocity (cm per s);restitution coeff\n1;0.5\n2.03;0.4\n120;0.25\n",
+        "v₀ (m·s⁻¹)\tε\n0.01\t0.5\n0.0203\t0.4\n1.2\t0.25\n".as_bytes(),
+        "vitesse d'impact (m/s);coefficient de restitution\n0,01;0,5\n0,0203;0,4\n1,2;0,25\n".as_bytes(),
     ];
     for file in files {
         let data = read(file).unwrap_or_else(|error| panic!("{}: {error}", String::from_utf8_lossy(file)));
@@ -154,6 +160,11 @@ fn faults_are_named_with_their_line() {
         ("g,epsilon\n-1,0.5\n", "line 2: an impact velocity of -1.0 cannot be used"),
         ("v,e,sigma\n1,0.5,0\n", "a standard deviation of 0.0 cannot be used"),
         ("t\n1\n2\n", "2 times of impacts make no collision"),
+        ("v,e\n0.1,0.81±0.01\n", "'0.81±0.01' has its uncertainty beside it"),
+        ("v e\n0.1 0.81(1)\n", "'0.81(1)' has its uncertainty beside it"),
+        ("[[0.1,0.81],[0.5,0.72]]\n", "line 1 reads '[[0.1,0.81],[0.5,0.72]]'"),
+        ("   v   e\n0  0.1  0.81\n1  0.5  0.72\n", "name each column, that of row numbers too"),
+        ("bounce,time (s)\n1,0.0\n2,0.4\n3,0.7\n", "--measured-as for speeds, heights or times of bounces"),
     ] {
         let message = read(text.as_bytes()).unwrap_err();
         assert!(message.contains(part), "{text:?}: {message}");

@@ -61,6 +61,11 @@ impl Source {
             Some(value) if unit == "%" && self.role.dimension().is_none() && self.size == 1.0 => {
                 Ok(Some(value / 100.0))
             }
+            Some(_) if unit.starts_with(['±', '(']) || unit.starts_with("+/-") || unit.starts_with("+-") => {
+                fault(format!(
+                    "the {noun} '{cell}' has its uncertainty beside it: give that a column of its own, such as sigma"
+                ))
+            }
             Some(_) if self.role.dimension().is_none() => {
                 fault(format!("the {noun} '{cell}' has a unit: give a plain number"))
             }

@@ -67,7 +67,11 @@ fn missing(sheet: &Sheet, method: Method) -> DataError {
         (Some(_), Some(role)) => format!("no column holds the {}", role.noun()),
         _ => "nothing says which holds what".to_owned(),
     };
-    columns_error(sheet, problem, &remedy(sheet, method))
+    let mut remedy = remedy(sheet, method);
+    if method == Method::Coefficients && sheet.columns().len() > 1 {
+        remedy += ", and --measured-as for speeds, heights or times of bounces";
+    }
+    columns_error(sheet, problem, &remedy)
 }
 
 fn remedy(sheet: &Sheet, method: Method) -> String {

@@ -25,7 +25,7 @@ impl Column {
             .or_else(|| behind_underscore(cell))
             .map_or((cell, None), |(name, unit)| (name, Some(unit)));
         let name = name.trim().trim_end_matches(['/', ',']).replace(['_', '-'], " ").to_lowercase();
-        let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
+        let name = name.split_whitespace().map(word).collect::<Vec<_>>().join(" ");
         Self { text: cell.to_owned(), name, unit }
     }
 
@@ -39,15 +39,38 @@ fn is_unit(text: &str) -> bool {
     matches!(text, "%" | "-" | "1" | "") || dimension_of(text).is_some()
 }
 
-/// What stands in the last brackets, be it a unit or not.
+/// A word of a name without its abbreviation, its index on the line.
+fn word(word: &str) -> String {
+    if matches!(word.trim_end_matches('.'), "coeff" | "coef") {
+        return "coefficient".to_owned();
+    }
+    let digit = |c: char| match c {
+        '₀'..='₉' => char::from_u32(c as u32 - '₀' as u32 + '0' as u32).unwrap_or(c),
+        _ => c,
+    };
+    word.chars().map(digit).collect()
+}
+
+/// What stands in the brackets at the end, be it a unit or not.
 fn in_brackets(cell: &str) -> Option<(&str, String)> {
-    let start = cell.rfind(['[', '(', '{', '<'])?;
-    let end = start + 1 + cell[start + 1..].find([']', ')', '}', '>'])?;
-    let name = cell[..start].trim().trim_end_matches('/');
-    let (unit, rest) = (cell[start + 1..end].trim(), cell[end + 1..].trim());
-    // `(m/s)`, not `(impact)`: a word is part of the name, unless it should be the unit
-    let unit = unit.trim_start_matches("in ");
-    (rest.is_empty() && !name.is_empty()).then(|| (name, unit.to_owned()))
+    let inner = cell.trim_end().strip_suffix([']', ')', '}', '>'])?;
+    let mut depth = 0_usize;
+    let start = inner.char_indices().rev().find_map(|(place, c)| {
+        let opens = "[({<".contains(c);
+        if opens && depth == 0 {
+            return Some(place);
+        }
+        depth = if opens { depth - 1 } else { depth + usize::from("])}>".contains(c)) };
+        None
+    })?;
+    let name = inner[..start].trim().trim_end_matches('/');
+    // `(m/s)`, not `(impact)`: a word is part of the name, unless it should be the unit; `^{-1}` as LaTeX has it
+    let unit = inner[start + 1..]
+        .trim()
+        .trim_start_matches("in ")
+        .replace(['{', '}', '$'], "")
+        .replace(" per ", "/");
+    (!name.is_empty()).then_some((name, unit))
 }
 
 fn behind<'a>(cell: &'a str, mark: &str) -> Option<(&'a str, String)> {
@@ -155,6 +178,12 @@ mod tests {
             ("e (-)", "e", Some("-")),
             ("v_in", "v in", None),
             ("coefficient of restitution", "coefficient of restitution", None),
+            ("Vn_impact (cm s^{-1})", "vn impact", Some("cm s^-1")),
+            ("v₀ (m·s⁻¹)", "v0", Some("m·s⁻¹")),
+            ("velocity (cm per s)", "velocity", Some("cm/s")),
+            ("Coeff. of Restitution", "coefficient of restitution", None),
+            ("e (normal) [%]", "e (normal)", Some("%")),
+            ("u(e)", "u", Some("e")),
             ("v [furlong/h]", "v", Some("furlong/h")),
             ("", "", None),
         ] {

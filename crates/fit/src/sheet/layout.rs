@@ -181,7 +181,7 @@ impl<'a> Sample<'a> {
                 "give one for each; if commas are decimal signs, separate the columns by semicolons, tabs or blanks"
             }
             Separator::Blanks => {
-                "name each column, with two blanks between names of several words, or begin the line with #"
+                "name each column, that of row numbers too, with two blanks between names of several words, or begin the line with #"
             }
             _ if names == 1 => return Ok(()), // a title
             _ => "give one for each",
@@ -227,6 +227,9 @@ impl<'a> Sample<'a> {
         let Some((separator, width)) = widths.into_iter().find(|(_, width)| *width > 1) else {
             return Err(SheetError::NoColumns { line, text: shortened(text) });
         };
+        if text.trim_start().starts_with(['[', '{', '<']) {
+            return Err(SheetError::NoColumns { line, text: shortened(text) }); // JSON, lists of programs, HTML
+        }
         let Some(&(first, _)) = self.lines.get(1) else { return Err(SheetError::NoRows { line }) };
         let names = header::split(text, separator, width).unwrap_or_default();
         let columns = columns(&names, None);

@@ -36,6 +36,7 @@ pub(crate) fn split(cell: &str) -> (&str, &str) {
             b'0'..=b'9' | b'.' | b',' => end += 1,
             b'e' | b'E' | b'd' | b'D' if digit(end + 1) || (sign(end + 1) && digit(end + 2)) => end += 2,
             b'/' if digit(end + 1) => end += 1,
+            b'\'' if end > minus && digit(end - 1) && (1..=3).all(|k| digit(end + k)) => end += 1, // 1'203 of Switzerland
             b'+' | b'-' if end > minus && (1..=3).all(|k| digit(end + k)) => end += 1, // 1.5-103 of Fortran
             _ => break,
         }
@@ -66,9 +67,10 @@ fn plain(text: &str, decimal: Decimal) -> Option<String> {
         Some(rest) => (&text[..1], rest),
         None => ("", text.as_str()),
     };
-    let end = unsigned.find(|c: char| !c.is_ascii_digit() && c != '.' && c != ',').unwrap_or(unsigned.len());
+    let end = unsigned.find(|c: char| !c.is_ascii_digit() && !".,'".contains(c)).unwrap_or(unsigned.len());
     let (mantissa, exponent) = unsigned.split_at(end);
-    let (point, group) = if decimal == Decimal::Point { ('.', ',') } else { (',', '.') };
+    let (point, other) = if decimal == Decimal::Point { ('.', ',') } else { (',', '.') };
+    let group = if mantissa.contains('\'') { '\'' } else { other };
     let (whole, fraction) = mantissa.split_once(point).unwrap_or((mantissa, ""));
     let digits = |s: &str| s.bytes().all(|b| b.is_ascii_digit());
     let mut groups = whole.split(group);
@@ -95,6 +97,16 @@ fn plain(text: &str, decimal: Decimal) -> Option<String> {
 pub(super) fn evidence(number: &str) -> Evidence {
     let mantissa = number.split(['e', 'E', 'd', 'D', '/']).next().unwrap_or_default();
     let mantissa = mantissa.trim_start_matches(['-', '+', '−']);
+    if mantissa.contains('\'') {
+        // its groups are told, so that any other sign is decimal
+        return if mantissa.contains(',') {
+            Evidence::Comma
+        } else if mantissa.contains('.') {
+            Evidence::Point
+        } else {
+            Evidence::None
+        };
+    }
     let (commas, points) = (mantissa.matches(',').count(), mantissa.matches('.').count());
     let alone = |sign: char| {
         let (whole, fraction) = mantissa.split_once(sign).unwrap_or_default();
@@ -131,6 +143,8 @@ mod tests {
             ("2/5", 0.4),
             ("1,203.5", 1203.5),
             ("1,203", 1203.0),
+            ("1'203", 1203.0),
+            ("1'203'400.5", 1_203_400.5),
         ] {
             assert_eq!(parse(text, Decimal::Point), Some(value), "{text}");
         }
@@ -140,7 +154,23 @@ mod tests {
             assert_eq!(parse(text, Decimal::Comma), Some(value), "{text}");
         }
         for text in [
-            "", "-", ".", "e5", "1e", "nan", "inf", "infinity", "1 2", "0x1", "1,20.5", "1..2", "1/0/", "--1",
+            "",
+            "-",
+            ".",
+            "e5",
+            "1e",
+            "nan",
+            "inf",
+            "infinity",
+            "1 2",
+            "0x1",
+            "1,20.5",
+            "1..2",
+            "1/0/",
+            "--1",
+            "1'20",
+            "'203",
+            "1'203,400",
         ] {
             assert_eq!(parse(text, Decimal::Point), None, "{text}");
         }
@@ -159,6 +189,8 @@ mod tests {
             ("1,203.5", Evidence::Point),
             ("1.203,5", Evidence::Comma),
             ("1,203,512", Evidence::Point),
+            ("1'203.512", Evidence::Point),
+            ("1'203", Evidence::None),
             ("12", Evidence::None),
             ("1e-3", Evidence::None),
         ] {

@@ -2,6 +2,9 @@
 
 use super::SheetError;
 
+/// Blanks at which no line is broken.
+const UNBREAKABLE: [char; 4] = ['\u{a0}', '\u{2007}', '\u{2009}', '\u{202f}'];
+
 /// Decodes UTF-8 with or without its mark, UTF-16 with it, or else Latin-1.
 pub(super) fn decode(bytes: Vec<u8>) -> Result<String, SheetError> {
     let wide = |pair: fn([u8; 2]) -> u16| {
@@ -21,6 +24,8 @@ pub(super) fn decode(bytes: Vec<u8>) -> Result<String, SheetError> {
     if text.bytes().any(|b| b < 0x20 && strange(b.into())) || text.chars().take(1000).any(strange) {
         return Err(SheetError::NotText);
     }
+    // blanks that do not break a line
+    let text = if text.contains(UNBREAKABLE) { text.replace(UNBREAKABLE, " ") } else { text };
     Ok(match text.strip_prefix('\u{feff}') {
         Some(rest) => rest.to_owned(),
         None => text,
