@@ -12,7 +12,15 @@ fn breakpoints() -> Vec<f64> {
     let compression = (0..=450).map(|i| f64::from(i) / 64.0);
     let force = (0..12 * 64).map(|i| (0.5 + f64::from(i % 64) / 128.0) * 2.0_f64.powi(i / 64) - 0.5);
     let powers = (-1074..1024).step_by(9).map(|e| 2.0_f64.powi(e));
-    compression.chain(force).chain(powers).chain([f64::MAX, f64::MIN_POSITIVE]).collect()
+    let roots = (0..=17).map(|i| (f64::from(i) / 64.0).powi(2));
+    let beyond = (0..=256).map(|i| 8.0 + f64::from(i) / 32.0);
+    compression
+        .chain(force)
+        .chain(roots)
+        .chain(beyond)
+        .chain(powers)
+        .chain([f64::MAX, f64::MIN_POSITIVE])
+        .collect()
 }
 
 /// The arguments within three units of the last place of `u`, and `u` with its sign turned.

@@ -1,7 +1,7 @@
 //! The stated errors of the evaluator, proved for every argument; the whole of it takes minutes, a slice a few seconds.
 
 use restitution::{End, bounds, tiers};
-use restitution_export::proof::{Group, Proof, groups, tier_near_zero};
+use restitution_export::proof::{Group, Proof, beyond, groups, tier_near_zero};
 
 /// Of so many intervals one is proved in the quick test.
 const SLICE: usize = 60;
@@ -35,6 +35,14 @@ fn the_stated_errors_on_some_intervals() {
 #[ignore = "slow: every interval, ten minutes"]
 fn the_stated_errors_on_every_interval() {
     prove(1);
+}
+
+/// From the end of the table on `epsilon u^5` is bounded by its value there and its limit.
+#[test]
+fn the_stated_error_beyond_the_table() {
+    let proved = beyond().unwrap();
+    assert!(proved.epsilon.bound <= bounds::EPSILON.size, "{proved:?}");
+    assert!(proved.approximation.bound < 1e-17, "{proved:?}");
 }
 
 #[test]

@@ -65,10 +65,12 @@ fn the_readme_states_them_too() {
     let readme = read("README.md");
     let [epsilon, _, velocity, ..] = ALL;
     let (of_u, of_velocity) = (epsilon.size, velocity.size);
-    let evidence = if epsilon.evidence == Evidence::Proved { "proved" } else { "measured" };
+    let word = |bound: &Bound| if bound.evidence == Evidence::Proved { "proved" } else { "measured" };
     let text = readme.replace('\n', " ");
     assert!(text.contains(&format!(
-        "within {of_u} ulp of the exact ε(u) and within {of_velocity} from a velocity ({evidence};"
+        "within {of_u} ulp of the exact ε(u) ({}) and within {of_velocity} from a velocity ({};",
+        word(&epsilon),
+        word(&velocity)
     )));
 }
 

@@ -10,13 +10,13 @@ use crate::{End, zero_compression, zero_force};
 /// (\[RPBS1999\], eqs. 5 and 6.) Defined for every f64: 1 at `u = 0` and -0, 0 at infinity (subnormal, then 0,
 /// on the way), NaN for NaN and below zero.
 ///
-/// Cost: a look-up of one cache line and a polynomial of degree 6, no division; up to `u = 7` at zero
-/// compression, to `u = 1023.5` at zero force. Beyond, a power of `u` with its rounding carried along.
+/// Cost: a look-up of one cache line and a polynomial of degree 7, no division; a square root below `u = 1/16` at zero force, where
+/// from `u = 1023.5` on a power of `u` takes over with its rounding carried along.
 ///
 /// # Error bound
 ///
-/// [`bounds::EPSILON`](crate::bounds::EPSILON): at most 2 ulp (measured) where the result is normal. The parts and
-/// their sum are in `docs/evaluator.md`. Rounding makes `epsilon` rise between neighbouring arguments here and
+/// [`bounds::EPSILON`](crate::bounds::EPSILON): at most 2 ulp (proved) where the result is normal; at zero
+/// force from `u = 1023.5` on the same is measured. The proof is in `docs/evaluator.md`. Rounding makes `epsilon` rise between neighbouring arguments here and
 /// there, by [`bounds::STEP_UP`](crate::bounds::STEP_UP).
 ///
 /// # Examples
@@ -48,7 +48,7 @@ pub fn epsilon(u: f64, end: End) -> f64 {
 ///
 /// # Error bound
 ///
-/// [`bounds::ONE_MINUS_EPSILON`](crate::bounds::ONE_MINUS_EPSILON): at most 4 ulp (measured) where the result is
+/// [`bounds::ONE_MINUS_EPSILON`](crate::bounds::ONE_MINUS_EPSILON): at most 3 ulp (proved) where the result is
 /// normal, else one unit of the smallest subnormal more; `docs/evaluator.md` has the parts.
 ///
 /// # Examples

@@ -5,23 +5,28 @@ use crate::rounding::multiply_add;
 /// Pieces in each factor of two.
 const PIECES: usize = 64;
 /// `x^(1/5)` of the 5 x 64 pieces of `[1, 32)`.
-pub(crate) static ROOTS: [Piece; 5 * PIECES] = pieces();
+pub(crate) static ROOTS: [Piece; 5 * PIECES] = ROOTS_OF_PIECES;
+const ROOTS_OF_PIECES: [Piece; 5 * PIECES] = pieces();
+/// The fifth powers of the roots in them.
+static POWERS: [f64; 5 * PIECES] = powers();
 /// 2^500, which lifts a subnormal number, and its fifth root.
 const TWO_TO_500: f64 = f64::from_bits((1023 + 500) << 52);
 const TWO_TO_100: f64 = f64::from_bits((1023 + 100) << 52);
-/// The largest `|z|`.
-const REACH: f64 = 0.0104;
+/// The largest `|z|`, rounded up.
+const REACH: f64 = 0.01211;
+const REACH2: f64 = REACH * REACH;
 /// The first coefficient of `((1 + z)^(1/5) - 1)/z` that is left out.
-const OMITTED: f64 = 6612.0 / 390_625.0;
-/// Its coefficients before, with `z^6` replaced by what is closest to it on `|z| <= REACH`,
-/// `(3/2) a^2 z^4 - (9/16) a^4 z^2 + a^6/32`; what remains is 1e-17 of the root.
-const SERIES: [f64; 6] = [
-    0.2 + OMITTED * REACH * REACH * REACH * REACH * REACH * REACH / 32.0,
-    -2.0 / 25.0,
-    6.0 / 125.0 - OMITTED * REACH * REACH * REACH * REACH * 9.0 / 16.0,
-    -21.0 / 625.0,
-    399.0 / 15_625.0 + OMITTED * REACH * REACH * 1.5,
-    -1596.0 / 78_125.0,
+const OMITTED: f64 = -28_101.0 / 1_953_125.0;
+/// Its coefficients before, with `z^7` replaced by what is closest to it on `|z| <= REACH`,
+/// `(7/4) a^2 z^5 - (7/8) a^4 z^3 + (7/64) a^6 z`; what remains is 2e-19 of the root.
+const SERIES: [f64; 7] = [
+    0.2,
+    -2.0 / 25.0 + OMITTED * REACH2 * REACH2 * REACH2 * 7.0 / 64.0,
+    6.0 / 125.0,
+    -21.0 / 625.0 - OMITTED * REACH2 * REACH2 * 7.0 / 8.0,
+    399.0 / 15_625.0,
+    -1596.0 / 78_125.0 + OMITTED * REACH2 * 7.0 / 4.0,
+    6612.0 / 390_625.0,
 ];
 
 /// A root of ten bits, whose fifth power is therefore exact, and the reciprocal of that power.
@@ -42,12 +47,13 @@ impl Root {
     /// With `x = 2^(5q) y`, `1 <= y < 32`, and `r` a ten-bit number close to the root of `y`:
     ///
     /// ```text
-    /// x^(1/5) = 2^q r (1 + z)^(1/5),   z = y/r^5 - 1,   |z| <= 0.0104
+    /// x^(1/5) = 2^q r (1 + z)^(1/5),   z = y/r^5 - 1,   |z| <= 0.01211
     /// ```
     #[inline(always)]
     pub(crate) fn of(x: f64) -> Self {
         let (index, y, scale) = Self::place(x);
-        Self::from_piece(ROOTS[(index as usize).min(ROOTS.len() - 1)], y, scale)
+        let index = (index as usize).min(ROOTS.len() - 1);
+        Self::from_piece(ROOTS[index], POWERS[index], y, scale)
     }
 
     /// Returns the number of the piece that `y` lies in, `y`, and `2^q`.
@@ -62,10 +68,12 @@ impl Root {
         (index, y, f64::from_bits((q + 1023 - 205) << 52))
     }
 
-    /// Returns the root of `scale^5 y` by the piece of `y`.
+    /// Returns the root of `scale^5 y` by the piece of `y` and the exact fifth power of the root in it.
+    ///
+    /// The difference of `y` and the power is exact, so that what `z` is off by is 2^-52 of it, not of 1.
     #[inline(always)]
-    pub(crate) fn from_piece([root, reciprocal]: Piece, y: f64, scale: f64) -> Self {
-        let z = multiply_add(y, reciprocal, -1.0);
+    pub(crate) fn from_piece([root, reciprocal]: Piece, power: f64, y: f64, scale: f64) -> Self {
+        let z = (y - power) * reciprocal;
         let coarse = root * scale;
         Self { coarse, step: coarse * z, z }
     }
@@ -84,20 +92,21 @@ impl Root {
         let low = multiply_add(z, SERIES[1], SERIES[0]);
         let middle = multiply_add(z, SERIES[3], SERIES[2]);
         let high = multiply_add(z, SERIES[5], SERIES[4]);
-        multiply_add(self.step, multiply_add(z2, multiply_add(z2, high, middle), low), self.coarse - from)
+        let z4 = z2 * z2;
+        let slope = multiply_add(z4, multiply_add(z2, SERIES[6], high), multiply_add(z2, middle, low));
+        multiply_add(self.step, slope, self.coarse - from)
     }
 }
 
 /// Returns `x^(1/5)`, odd in `x`, for all f64.
 ///
-/// A look-up of ten bits and six terms of the binomial series in place of a logarithm and an
+/// A look-up of ten bits and seven terms of the binomial series in place of a logarithm and an
 /// exponential: about half the time of `powf(0.2)`.
 ///
 /// # Error bound
 ///
-/// [`bounds::FIFTH_ROOT`](crate::bounds::FIFTH_ROOT): at most 1 ulp (measured). Half comes from the last addition, two fifths from the reciprocal in the table and the product
-/// with it (each 2^-53 of `z + 1`, a fifth of that in the root), the rest from the correction, at most
-/// 0.0021 of the root, with its own rounding. The series contributes 1e-17 of the root.
+/// [`bounds::FIFTH_ROOT`](crate::bounds::FIFTH_ROOT): at most 0.6 ulp (measured). Half comes from the last addition, the rest
+/// from what is added, at most 0.0025 of the root, with some roundings of its own. The series contributes 2e-19 of the root.
 ///
 /// # Examples
 ///
@@ -132,6 +141,22 @@ fn unusual(x: f64) -> f64 {
     Root::of(x * TWO_TO_500).distance(0.0) / TWO_TO_100
 }
 
+/// The fifth power of a number of ten bits, exactly.
+#[inline(always)]
+pub(crate) const fn fifth_power(root: f64) -> f64 {
+    let square = root * root;
+    square * square * root
+}
+
+const fn powers() -> [f64; 5 * PIECES] {
+    let (mut table, mut index) = ([0.0; 5 * PIECES], 0);
+    while index < table.len() {
+        table[index] = fifth_power(ROOTS_OF_PIECES[index][0]);
+        index += 1;
+    }
+    table
+}
+
 /// Builds the table at compile time: Newton's iteration, then rounding to multiples of 2^-9.
 const fn pieces() -> [Piece; 5 * PIECES] {
     let mut table = [[0.0; 2]; 5 * PIECES];
@@ -149,4 +174,21 @@ const fn pieces() -> [Piece; 5 * PIECES] {
         index += 1;
     }
     table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The largest distance of a number from the fifth power in its piece, at the ends of all pieces.
+    #[test]
+    fn every_number_is_within_reach_of_its_piece() {
+        let mut largest = 0.0_f64;
+        for (index, power) in POWERS.iter().enumerate() {
+            let octave = (1_u64 << (index / PIECES)) as f64;
+            let ends = [index % PIECES, index % PIECES + 1].map(|i| (1.0 + i as f64 / 64.0) * octave);
+            largest = ends.iter().fold(largest, |largest, y| largest.max((y / power - 1.0).abs()));
+        }
+        assert!(largest <= REACH && largest > 0.99 * REACH, "{largest}");
+    }
 }

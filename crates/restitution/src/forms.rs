@@ -52,17 +52,31 @@ impl Form {
 /// assert_eq!(form.epsilon(0.0), epsilon(form.centre, End::ZeroCompression));
 /// ```
 pub fn table(end: End) -> impl Iterator<Item = Form> {
-    let (grid, pieces): (&Grid, &'static [Piece]) = match end {
-        End::ZeroCompression => (&compression::GRID, &compression::PIECES),
-        End::ZeroForce => (&force::GRID, &force::PIECES),
-    };
+    match end {
+        End::ZeroCompression => forms(&compression::GRID, &compression::PIECES[..compression::INNER]),
+        End::ZeroForce => forms(&force::GRID, &force::PIECES[force::ROOT_PIECES..]),
+    }
+}
+
+/// The table of small `u` at zero force, in the square root of `u`.
+pub fn table_of_roots() -> impl Iterator<Item = Form> {
+    forms(&force::ROOT_GRID, &force::PIECES[..force::ROOT_PIECES])
+}
+
+/// The table of `R^5/m^5`, `1 <= m < 2`, which serves large `u = 2^k m` at zero compression: `epsilon` is `2^(-5k)` times that.
+pub fn table_beyond() -> impl Iterator<Item = Form> {
+    forms(&compression::OUTER_GRID, &compression::PIECES[compression::INNER..])
+}
+
+fn forms(grid: &'static Grid, pieces: &'static [Piece]) -> impl Iterator<Item = Form> {
     pieces.iter().enumerate().map(|(index, piece)| {
         let (low, high) = (grid.start(index), grid.start(index + 1));
         Form { piece: *piece, low, high, centre: grid.centre(index) }
     })
 }
 
-/// Below, [`one_minus_epsilon`](crate::one_minus_epsilon) is [`near`]; at zero force [`epsilon`](crate::epsilon) is one less that.
+/// Below, [`one_minus_epsilon`](crate::one_minus_epsilon) is [`near`]; at zero force [`epsilon`](crate::epsilon)
+/// is [`table_of_roots`].
 #[must_use]
 pub fn near_end(end: End) -> f64 {
     match end {

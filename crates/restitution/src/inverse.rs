@@ -65,10 +65,10 @@ fn solve(epsilon: f64, lost: f64, end: End) -> f64 {
         }
         End::ZeroForce if lost < zero_force::near(force::NEAR_END) => near_zero(lost, zero_force::near),
         End::ZeroCompression if epsilon >= crate::epsilon(compression::FAR, end) => {
-            in_table(&compression::PIECES, &compression::GRID, epsilon, lost)
+            in_table(&compression::PIECES[..compression::INNER], &compression::GRID, epsilon, lost)
         }
         End::ZeroForce if epsilon >= crate::epsilon(force::FAR, end) => {
-            in_table(&force::PIECES, &force::GRID, epsilon, lost)
+            in_table(&force::PIECES[force::ROOT_PIECES..], &force::GRID, epsilon, lost)
         }
         End::ZeroCompression => saturated(epsilon),
         End::ZeroForce => overdamped(epsilon),

@@ -2,46 +2,94 @@
 
 use crate::rounding::Number;
 
-/// By so many places the bits of the last coefficient stand too low in the word that it shares with the one before.
-pub(crate) const LIFT: u32 = 36;
+/// By so many places the bits of `c_6` stand too low in the word that it shares with `c_5`.
+pub(crate) const LIFT_SIXTH: u32 = 36;
+/// By so many those of `c_7`, in the word of `c_4`.
+pub(crate) const LIFT_SEVENTH: u32 = 43;
+/// Words of a row.
+pub(crate) const WORDS: u64 = 8;
+/// Coefficients of a piece.
+pub(crate) const LENGTH: usize = 8;
 
-/// A polynomial of degree 6 about the centre of its piece, in one cache line with its complement.
+/// A polynomial of degree 7 about the centre of its piece, in one cache line with its complement.
 ///
-/// `c_0 + c_1 t + … + c_6 t^6` is the coefficient of restitution at `centre + t`. As `|t|` is at most 2^-7 of
-/// what `epsilon` varies over, `c_5` needs 24 bits and `c_6` 16: they share a word.
+/// `c_0 + c_1 t + … + c_7 t^7` is the coefficient of restitution at `centre + t`. The words are the bits of `c_0` to `c_3`; of `c_4` and
+/// `c_5` as they stand, with those of `c_7` and `c_6` at their ends; of `1 - c_0`, rounded on its own; nothing. As `|t|` is at most 2^-7 of
+/// what `epsilon` varies over, `c_4` needs 31 bits, `c_5` 24, `c_6` 16 and `c_7` 9: two of them share a word.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub(crate) struct Piece([u64; 8]);
 
-/// Reads a row of a table: seven coefficients and the complement.
-pub(crate) const fn piece(c: [f64; 7], complement: f64) -> Piece {
-    let sixth = (c[6].to_bits() + (1 << (LIFT - 1))) >> LIFT;
-    let fifth = (c[5].to_bits() - sixth + (1 << (63 - LIFT))) >> (64 - LIFT) << (64 - LIFT);
+/// Two numbers in a word: the second [`LIFT_SIXTH`] or [`LIFT_SEVENTH`] places lower, the first rounded to what that leaves of it.
+const fn shared(first: f64, second: f64, lift: u32) -> u64 {
+    let low = (second.to_bits() + (1 << (lift - 1))) >> lift;
+    let high = (first.to_bits() - low + (1 << (63 - lift))) >> (64 - lift) << (64 - lift);
+    high | low
+}
+
+/// Reads a row of a table: eight coefficients and the complement.
+pub(crate) const fn piece(c: [f64; LENGTH], complement: f64) -> Piece {
+    let (fourth, fifth) = (shared(c[4], c[7], LIFT_SEVENTH), shared(c[5], c[6], LIFT_SIXTH));
     Piece([
         c[0].to_bits(),
         c[1].to_bits(),
         c[2].to_bits(),
         c[3].to_bits(),
-        c[4].to_bits(),
-        fifth | sixth,
+        fourth,
+        fifth,
         complement.to_bits(),
         0,
     ])
 }
 
-impl Piece {
-    /// The bits of `c_0` to `c_4`; of `c_5` as it stands, rounded to what those of `c_6` at its end leave of it, which
-    /// belong [`LIFT`] places higher; of `1 - c_0`, rounded on its own; nothing.
-    #[inline(always)]
-    pub(crate) fn row(&self) -> &[u64; 8] {
-        &self.0
+/// A table whose number of rows is a power of two, so that no index needs to be compared with it; zeros beyond its pieces.
+#[derive(Debug)]
+#[repr(align(64))]
+pub(crate) struct Rows<const N: usize>([[u64; 8]; N]);
+
+impl<const N: usize> Rows<N> {
+    pub(crate) const fn of(pieces: &[Piece]) -> Self {
+        assert!(N.is_power_of_two() && pieces.len() <= N);
+        let (mut rows, mut index) = ([[0; 8]; N], 0);
+        while index < pieces.len() {
+            rows[index] = pieces[index].0;
+            index += 1;
+        }
+        Self(rows)
     }
 
-    /// Returns `c_0` to `c_6`.
+    /// Returns the piece whose row starts at a word, whatever other for one beyond the table.
     #[inline(always)]
-    fn all(&self) -> [f64; 7] {
-        let [c0, c1, c2, c3, c4, last, ..] = self.0;
-        [c0, c1, c2, c3, c4, last, last << LIFT].map(f64::from_bits)
+    pub(crate) fn row(&self, start: u64) -> Piece {
+        Piece(*self.words(start))
+    }
+
+    /// Rows of another width, up to as many as there are.
+    #[inline(always)]
+    pub(crate) fn copied<const WIDTH: usize>(rows: &[[f64; WIDTH]]) -> Self {
+        let mut copy = [[0; WORDS as usize]; N];
+        for (copy, row) in copy.iter_mut().zip(rows) {
+            for (copy, c) in copy.iter_mut().zip(row) {
+                *copy = c.to_bits();
+            }
+        }
+        Self(copy)
+    }
+
+    /// Returns the row that starts at a word, whatever other for one beyond the table.
+    #[inline(always)]
+    pub(crate) fn words(&self, start: u64) -> &[u64; 8] {
+        let all = self.0.as_flattened();
+        all[start as usize & (WORDS as usize * (N - 1))..].first_chunk().unwrap_or(&self.0[0])
+    }
+}
+
+impl Piece {
+    /// Returns `c_0` to `c_7`.
+    #[inline(always)]
+    fn all(&self) -> [f64; LENGTH] {
+        let [c0, c1, c2, c3, c4, c5, ..] = self.0;
+        [c0, c1, c2, c3, c4, c5, c5 << LIFT_SIXTH, c4 << LIFT_SEVENTH].map(f64::from_bits)
     }
 
     /// The row with the bits of one word increased.
@@ -85,23 +133,25 @@ impl Piece {
 
 /// Returns one less the polynomial, from one less its constant.
 #[inline(always)]
-pub(crate) fn one_minus<T: Number>(c: &[T; 7], complement: T, t: T) -> T {
+pub(crate) fn one_minus<T: Number>(c: &[T; LENGTH], complement: T, t: T) -> T {
     t.clone().negated().multiply_add(slope(c, t), complement)
 }
 
-/// Returns `c_0 + c_1 t + … + c_6 t^6`.
+/// Returns `c_0 + c_1 t + … + c_7 t^7`.
 #[inline(always)]
-pub(crate) fn polynomial<T: Number>(c: &[T; 7], t: T) -> T {
+pub(crate) fn polynomial<T: Number>(c: &[T; LENGTH], t: T) -> T {
     t.clone().multiply_add(slope(c, t), c[0].clone())
 }
 
-/// Returns `c_1 + c_2 t + … + c_6 t^5` by Estrin's scheme.
+/// Returns `c_1 + c_2 t + … + c_7 t^6` by Estrin's scheme.
 #[inline(always)]
-fn slope<T: Number>(c: &[T; 7], t: T) -> T {
+fn slope<T: Number>(c: &[T; LENGTH], t: T) -> T {
     let pair = |k: usize| t.clone().multiply_add(c[k + 1].clone(), c[k].clone());
     let (low, middle, high) = (pair(1), pair(3), pair(5));
     let t2 = t.clone() * t;
-    t2.clone().multiply_add(t2.multiply_add(high, middle), low)
+    let t4 = t2.clone() * t2.clone();
+    let high = t2.clone().multiply_add(c[7].clone(), high);
+    t4.multiply_add(high, t2.multiply_add(middle, low))
 }
 
 /// Pieces of `2^-bits` of a factor of two each, in `x + shift`.

@@ -76,25 +76,24 @@ impl<const ROWS: usize, const WIDTH: usize> Tier<ROWS, WIDTH> {
         if (0.0..self.far).contains(&u) { self.within(u) } else { epsilon(u, self.end) }
     }
 
-    /// Writes `epsilon(u)` of each element to `out`, as far as the shorter of the two reaches.
-    #[inline]
-    pub fn epsilon_batch(&self, u: &[f64], out: &mut [f64]) {
-        for (u, out) in u.chunks(256).zip(out.chunks_mut(256)) {
-            let all_within = u.iter().fold(true, |all, u| all & (*u >= 0.0) & (*u < self.far));
-            for (u, out) in u.iter().zip(out) {
-                *out = if all_within { self.within(*u) } else { self.epsilon(*u) };
-            }
-        }
+    /// Returns the row of an argument inside of the table, and how far its end is, as a part of its width.
+    #[inline(always)]
+    pub(crate) fn place(&self, u: f64) -> (u64, f64) {
+        let (bits, rest) = ((u + self.shift).to_bits(), 52 - self.bits);
+        let fraction = (bits << self.bits) & (u64::MAX >> 12);
+        let distance = 2.0 - f64::from_bits(1.0_f64.to_bits() | fraction);
+        ((bits >> rest).wrapping_sub(self.shift.to_bits() >> rest), distance)
     }
 
     #[inline(always)]
     fn within(&self, u: f64) -> f64 {
-        let (bits, rest) = ((u + self.shift).to_bits(), 52 - self.bits);
-        let index = ((bits >> rest) - (self.shift.to_bits() >> rest)) as usize;
-        let row = &self.rows[index.min(ROWS - 1)];
-        let fraction = (bits << self.bits) & (u64::MAX >> 12);
-        let distance = 2.0 - f64::from_bits(1.0_f64.to_bits() | fraction);
-        value(row, distance)
+        let (row, distance) = self.place(u);
+        self.form(row as usize, distance)
+    }
+
+    /// The coefficients of every row.
+    pub(crate) fn rows(&self) -> &[[f64; WIDTH]; ROWS] {
+        &self.rows
     }
 
     /// Where the polynomial of a row holds, for proofs.
@@ -107,8 +106,9 @@ impl<const ROWS: usize, const WIDTH: usize> Tier<ROWS, WIDTH> {
 
     /// The value of a row so far before the end of it, as a part of the width, for proofs; that of the last beyond.
     #[doc(hidden)]
+    #[inline(always)]
     pub fn form<T: Number>(&self, row: usize, distance: T) -> T {
-        value(&self.rows[row.min(ROWS - 1)], distance)
+        value(&self.rows[row.min(ROWS - 1)].map(|c| distance.of(c)), distance)
     }
 
     /// What is added to `u` to find its row.
@@ -120,9 +120,9 @@ impl<const ROWS: usize, const WIDTH: usize> Tier<ROWS, WIDTH> {
 
 /// Returns `c_0 + c_1 s + …`, by pairs from `c_1` on.
 #[inline(always)]
-fn value<T: Number, const WIDTH: usize>(c: &[f64; WIDTH], s: T) -> T {
+pub(crate) fn value<T: Number, const WIDTH: usize>(c: &[T; WIDTH], s: T) -> T {
     let s2 = s.clone() * s.clone();
-    let at = |k: usize| s.of(c[k]);
+    let at = |k: usize| c[k].clone();
     let pair = |k: usize| at(k + 1).multiply_add(s.clone(), at(k));
     let (mut slope, mut k) =
         if WIDTH.is_multiple_of(2) { (at(WIDTH - 1), WIDTH - 1) } else { (pair(WIDTH - 2), WIDTH - 2) };
@@ -130,5 +130,5 @@ fn value<T: Number, const WIDTH: usize>(c: &[f64; WIDTH], s: T) -> T {
         k -= 2;
         slope = slope.multiply_add(s2.clone(), pair(k));
     }
-    s.clone().multiply_add(slope, at(0))
+    s.multiply_add(slope, at(0))
 }

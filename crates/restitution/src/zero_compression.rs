@@ -1,30 +1,28 @@
 //! The contact that ends at zero compression.
 
 use crate::fifth_root::Root;
-use crate::rounding::{Number, two_product};
-use crate::tables::zero_compression::{NEAR, PIECES, R5};
+use crate::pieces::Rows;
+use crate::rounding::Number;
+use crate::tables::zero_compression::{INNER, NEAR, OUTER_GRID, PIECES};
 
 pub(crate) use crate::tables::zero_compression::{GRID, NEAR_END};
 
-/// The pieces, for batches.
-pub(crate) static TABLE: &[crate::pieces::Piece; ROWS] = &PIECES;
-pub(crate) const ROWS: usize = PIECES.len();
-
-/// What the rounded `R^5` lacks, relative to it.
-const R5_RESIDUAL: f64 = R5[1] / R5[0];
+/// The pieces, for batches: those in `u`, then those of the power law in the significand of `u`.
+pub(crate) static TABLE: Rows<ROWS> = Rows::of(&PIECES);
+pub(crate) const ROWS: usize = PIECES.len().next_power_of_two();
 
 /// Below, `epsilon` is 1; the table gives that but for its rounding.
 pub(crate) const NOTHING_LOST: f64 = f64::EPSILON / 16.0;
 /// From here on an argument is rounded beyond the table.
-pub(crate) const TABLE_END: f64 = GRID.end(ROWS);
-/// Below, no power of `u` overflows and no `u^(-5)` is subnormal.
-pub(crate) const LARGE: f64 = f64::from_bits((1023 + 150) << 52);
+pub(crate) const TABLE_END: f64 = GRID.end(INNER);
+/// Below, the power law needs no more than one power of two.
+pub(crate) const LARGE: f64 = f64::from_bits((1023 + 200) << 52);
 
 #[inline(always)]
 pub(crate) fn epsilon(u: f64) -> f64 {
     let (index, centre) = GRID.locate(u);
     match PIECES.get(index) {
-        Some(piece) if u >= NOTHING_LOST => piece.value(u - centre),
+        Some(piece) if index < INNER && u >= NOTHING_LOST => piece.value(u - centre),
         _ => beyond(u, 0.0),
     }
 }
@@ -33,8 +31,8 @@ pub(crate) fn epsilon(u: f64) -> f64 {
 pub(crate) fn epsilon_of_root(root: Root) -> f64 {
     let (index, centre) = GRID.locate(root.estimate());
     match PIECES.get(index) {
-        Some(piece) => piece.value(root.distance(centre)),
-        None => far_root(root),
+        Some(piece) if index < INNER => piece.value(root.distance(centre)),
+        _ => far_root(root),
     }
 }
 
@@ -45,8 +43,8 @@ pub(crate) fn one_minus_epsilon(u: f64) -> f64 {
     }
     let (index, centre) = GRID.locate(u);
     match PIECES.get(index) {
-        Some(piece) => piece.one_minus(u - centre),
-        None => 1.0 - beyond(u, 0.0),
+        Some(piece) if index < INNER => piece.one_minus(u - centre),
+        _ => 1.0 - beyond(u, 0.0),
     }
 }
 
@@ -62,20 +60,12 @@ pub(crate) fn near<T: Number>(u: T) -> T {
     u.clone() * u.clone().multiply_add(u4.multiply_add(high, low), c(0))
 }
 
-#[cold]
 fn far_root(root: Root) -> f64 {
     let u = root.distance(0.0);
     beyond(u, root.distance(u))
 }
 
 /// `epsilon(u + low)` for `u >= TABLE_END`, for next to no `u`, and for what is not a velocity.
-///
-/// ```text
-/// epsilon = R^5/u^5 (1 + O(1e-18))
-/// ```
-///
-/// The roundings of the powers are carried along; those of their sum and of the division remain.
-#[cold]
 fn beyond(u: f64, low: f64) -> f64 {
     const SCALE: f64 = f64::from_bits((1023 - 100) << 52);
     const SCALE_TO_5: f64 = f64::from_bits((1023 - 500) << 52);
@@ -84,20 +74,33 @@ fn beyond(u: f64, low: f64) -> f64 {
         return if u >= 0.0 { 1.0 } else { f64::NAN };
     }
     if u < LARGE {
-        return inverse_fifth_power(u, low);
+        return power_law(u, low);
     }
     if u >= ALL_STOPPED {
         return 0.0;
     }
-    inverse_fifth_power(u * SCALE, low * SCALE) * SCALE_TO_5 // NaN comes through here
+    if u.is_nan() { u } else { power_law(u * SCALE, low * SCALE) * SCALE_TO_5 }
 }
 
-/// `R^5/(u + low)^5`.
 #[inline(always)]
-pub(crate) fn inverse_fifth_power(u: f64, low: f64) -> f64 {
-    let (u2, error2) = two_product(u, u);
-    let (u4, error4) = two_product(u2, u2);
-    let (u5, error5) = two_product(u4, u);
-    let error4 = error4 + 2.0 * u2 * error2 + 5.0 * (u4 / u) * low;
-    R5[0] / (u5 + (error5 + u * error4 - u5 * R5_RESIDUAL))
+fn power_law(u: f64, low: f64) -> f64 {
+    let (index, t, power) = place_beyond(u, low);
+    PIECES[(index as usize).min(PIECES.len() - 1)].value(t) * power
+}
+
+/// The row for `u + low` beyond the table, the distance from its centre and the power of two that is missing.
+///
+/// ```text
+/// epsilon = R^5/u^5 (1 + O(1e-18)) = 2^(-5k) R^5/m^5,   u = 2^k m,  1 <= m < 2,  k <= 200
+/// ```
+#[inline(always)]
+pub(crate) fn place_beyond(u: f64, low: f64) -> (u64, f64, f64) {
+    const SIGNIFICAND: u64 = (1 << 52) - 1;
+    let bits = u.to_bits();
+    let exponent = bits >> 52;
+    let m = f64::from_bits((bits & SIGNIFICAND) | 1.0_f64.to_bits());
+    let shrunk = f64::from_bits((2046_u64.wrapping_sub(exponent) & 0x7ff) << 52); // 2^-k
+    let (index, centre) = OUTER_GRID.locate(m);
+    let power = f64::from_bits((6 * 1023_u64).wrapping_sub(5 * exponent) << 52);
+    ((index + INNER) as u64, (m - centre) + low * shrunk, power)
 }

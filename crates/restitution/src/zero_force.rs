@@ -1,28 +1,30 @@
 //! The contact that ends at zero force.
 
 use crate::fifth_root::Root;
-use crate::pieces::{Grid, polynomial};
-use crate::rounding::{Number, Rooted, two_product};
-use crate::tables::zero_force::{BEYOND, LIMIT, NEAR_HALVES, NEAR_WHOLES, PIECES};
+use crate::pieces::{Grid, Rows, polynomial};
+use crate::rounding::{Number, Rooted, square_root, two_product};
+use crate::tables::zero_force::{BEYOND, LIMIT, NEAR_HALVES, NEAR_WHOLES, PIECES, ROOT_GRID, ROOT_PIECES};
 
 pub(crate) use crate::tables::zero_force::{GRID, NEAR_END};
 
-/// The pieces, for batches.
-pub(crate) static TABLE: &[crate::pieces::Piece; ROWS] = &PIECES;
-pub(crate) const ROWS: usize = PIECES.len();
+/// The pieces, for batches: those in `sqrt(u)`, then those in `u`.
+pub(crate) static TABLE: Rows<ROWS> = Rows::of(&PIECES);
+pub(crate) const ROWS: usize = PIECES.len().next_power_of_two();
 
 /// From here on an argument is rounded beyond the table.
-pub(crate) const TABLE_END: f64 = GRID.end(ROWS);
+pub(crate) const TABLE_END: f64 = GRID.end(PIECES.len() - ROOT_PIECES);
+/// Below, `epsilon` is 1; the table gives that but for its rounding.
+pub(crate) const NOTHING_LOST: f64 = f64::EPSILON / 16.0;
 /// Pieces of 1/32 of a factor of two in `u^(-1/3) + 1/16`.
 const GRID_BEYOND: Grid = Grid::new(1.0 / 16.0, 5, 0.0);
 
 #[inline(always)]
 pub(crate) fn epsilon(u: f64) -> f64 {
     if u < NEAR_END {
-        return if u >= 0.0 { 1.0 - near(u) } else { f64::NAN };
+        return if u >= 0.0 { near_one(u) } else { f64::NAN };
     }
-    let (index, centre) = GRID.locate(u);
-    match PIECES.get(index) {
+    let (index, centre) = place(u);
+    match PIECES.get(index as usize) {
         Some(piece) => piece.value(u - centre),
         None => beyond(u, 0.0),
     }
@@ -32,10 +34,10 @@ pub(crate) fn epsilon(u: f64) -> f64 {
 pub(crate) fn epsilon_of_root(root: Root) -> f64 {
     let estimate = root.estimate();
     if estimate < NEAR_END {
-        return 1.0 - near(root.distance(0.0));
+        return near_one(root.distance(0.0));
     }
-    let (index, centre) = GRID.locate(estimate);
-    match PIECES.get(index) {
+    let (index, centre) = place(estimate);
+    match PIECES.get(index as usize) {
         Some(piece) => piece.value(root.distance(centre)),
         None => far_root(root),
     }
@@ -46,11 +48,34 @@ pub(crate) fn one_minus_epsilon(u: f64) -> f64 {
     if u < NEAR_END {
         return if u >= 0.0 { near(u) } else { f64::NAN };
     }
-    let (index, centre) = GRID.locate(u);
-    match PIECES.get(index) {
+    let (index, centre) = place(u);
+    match PIECES.get(index as usize) {
         Some(piece) => piece.one_minus(u - centre),
         None => 1.0 - beyond(u, 0.0),
     }
+}
+
+/// The row for a `u` from `NEAR_END` on, beyond the table for others, and its centre.
+#[inline(always)]
+pub(crate) fn place(u: f64) -> (u64, f64) {
+    let (index, centre) = GRID.locate(u);
+    ((index as u64).wrapping_add(ROOT_PIECES as u64), centre)
+}
+
+/// The row for a `u` below `NEAR_END`, in whose square root `epsilon` is smooth, and the distance of the root from its centre.
+#[inline(always)]
+pub(crate) fn place_near(u: f64) -> (u64, f64) {
+    let root = square_root(u);
+    let (index, centre) = ROOT_GRID.locate(root);
+    (index as u64, root - centre)
+}
+
+/// `epsilon` on `[0, NEAR_END)`.
+#[inline(always)]
+fn near_one(u: f64) -> f64 {
+    let (index, t) = place_near(u);
+    let value = PIECES[(index as usize).min(ROOT_PIECES - 1)].value(t);
+    if u < NOTHING_LOST { 1.0 } else { value }
 }
 
 /// `1 - epsilon = u (a(u) + u^(3/2) b(u))` on `[0, NEAR_END)`.

@@ -1,22 +1,18 @@
-//! `epsilon` and `one_minus_epsilon`: range, NaN, order, sum, and the batch.
+//! `epsilon` and `one_minus_epsilon`: range, NaN, order and sum.
 
-use super::limits::{RISE_ULP, SUM, is_damping, same, steps};
+use super::limits::{RISE_ULP, SUM, is_damping, steps};
 use crate::Tally;
-use crate::random::Source;
-use rand::RngExt;
-use restitution::{End, epsilon, epsilon_batch, one_minus_epsilon};
+use restitution::{End, epsilon, one_minus_epsilon};
 
-pub(super) fn attack(arguments: &[f64], end: End, random: &mut Source, tally: &mut Tally) {
+pub(super) fn attack(arguments: &[f64], end: End, tally: &mut Tally) {
     let mut values: Vec<f64> = arguments.iter().map(|u| epsilon(*u, end)).collect();
     for (u, value) in arguments.iter().zip(&values) {
         one(*u, *value, end, tally);
     }
-    batch(arguments, &values, end, random, tally);
     let mut sorted: Vec<f64> = arguments.iter().copied().filter(|u| *u >= 0.0).collect();
     sorted.sort_by(f64::total_cmp);
     values.clear();
     values.extend(sorted.iter().map(|u| epsilon(*u, end)));
-    batch(&sorted, &values, end, random, tally);
     order(&sorted, &values, "epsilon", end, tally);
     neighbours(arguments, end, tally);
 }
@@ -35,22 +31,6 @@ fn one(u: f64, value: f64, end: End, tally: &mut Tally) {
     tally.expect((sum - 1.0).abs() <= SUM, "epsilon + (1 - epsilon) = 1", || say("the sum", sum));
     let positive_zero = value != 0.0 || value.is_sign_positive();
     tally.expect(positive_zero, "no -0", || say("epsilon", value));
-}
-
-/// Batches of random lengths and offsets against single calls.
-fn batch(arguments: &[f64], values: &[f64], end: End, random: &mut Source, tally: &mut Tally) {
-    let mut out = vec![f64::from_bits(0x7ff8_dead_beef_0000); arguments.len()];
-    let mut start = 0;
-    while start < arguments.len() {
-        let stop = arguments.len().min(start + random.random_range(1..200));
-        epsilon_batch(&arguments[start..stop], &mut out[start..stop], end);
-        start = stop;
-    }
-    for ((u, single), batch) in arguments.iter().zip(values).zip(&out) {
-        tally.expect(same(*single, *batch), "a batch gives what single calls give", || {
-            format!("u = {u:e} = {:#018x}, {end:?}: {batch:e}, single {single:e}", u.to_bits())
-        });
-    }
 }
 
 /// Values at arguments in order may not rise by more than rounding.

@@ -1,6 +1,7 @@
 //! The f64 functions of `restitution` over random bit patterns, breakpoints and their neighbours.
 
 mod arguments;
+mod batches;
 mod certified;
 mod curve;
 mod inverse;
@@ -33,7 +34,7 @@ impl Part for F64Functions {
     }
 
     fn about(&self) -> &'static str {
-        "f64 functions at 4096 arguments: bit patterns, breakpoints, neighbours; batch, order, range, NaN, ulp"
+        "f64 functions at 4096 arguments: bit patterns, breakpoints, neighbours; batches, order, range, NaN, ulp"
     }
 
     fn cases(&self, size: Size) -> u64 {
@@ -49,7 +50,8 @@ impl Part for F64Functions {
         tally.count("arguments", ARGUMENTS as u64);
         let against_certified = random.random_range(0..CERTIFIED) == 0;
         for end in ENDS {
-            curve::attack(&arguments, end, random, tally);
+            curve::attack(&arguments, end, tally);
+            batches::attack(&arguments, end, random, tally);
             inverse::attack(random, end, ARGUMENTS / 8, tally);
             velocity::attack(&arguments, end, random, tally);
             if against_certified {

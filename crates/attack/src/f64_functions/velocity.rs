@@ -2,7 +2,7 @@
 
 use super::arguments::{quantity, special};
 use super::curve;
-use super::limits::{SUM, is_damping, same};
+use super::limits::{SUM, is_damping};
 use crate::Tally;
 use crate::random::{Source, bits};
 use rand::{Rng, RngExt};
@@ -19,13 +19,6 @@ pub(super) fn attack(arguments: &[f64], end: End, random: &mut Source, tally: &m
     for (g, value) in arguments.iter().zip(&values) {
         one(&curve, *g, *value, dead, tally);
     }
-    let mut out = vec![-1.0; arguments.len()];
-    curve.epsilon_batch(arguments, &mut out);
-    for ((g, single), batch) in arguments.iter().zip(&values).zip(&out) {
-        tally.expect(same(*single, *batch), "a batch gives what single calls give", || {
-            format!("{curve:?} at {g:e}: {batch:e}, single {single:e}")
-        });
-    }
     if !dead {
         let mut sorted: Vec<f64> = arguments.iter().copied().filter(|g| *g >= 0.0).collect();
         sorted.sort_by(f64::total_cmp);
@@ -35,7 +28,7 @@ pub(super) fn attack(arguments: &[f64], end: End, random: &mut Source, tally: &m
     }
 }
 
-fn random_curve(random: &mut Source, end: End) -> Restitution {
+pub(super) fn random_curve(random: &mut Source, end: End) -> Restitution {
     let scale = match random.next_u32() % 8 {
         0 => bits(random),
         1 => special(random),

@@ -13,7 +13,7 @@ use crate::reference::direct_end;
 use polynomial::{PREC, Polynomial};
 use restitution::End;
 use restitution::forms::{self, Form, Number};
-use restitution_direct::{Collision, DirectError, Interpolant, Variable};
+use restitution_direct::{Collision, DirectError, Interpolant, Variable, saturation_speed};
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use rounded::{Rounded, half_unit};
@@ -24,6 +24,8 @@ pub use tiers::tier_near_zero;
 
 /// Parts of a piece, each with its own bounds.
 const PARTS: u32 = 16;
+/// Digits of `R^5`.
+const DIGITS: usize = 40;
 
 /// A bound that is proved, and where it is largest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -149,6 +151,77 @@ fn piece(interpolant: &Interpolant, form: &Form, end: End) -> Proof {
     proof
 }
 
+/// The parts of a piece between two ends, as distances from its centre that are computed within an error.
+fn parts(
+    low: f64,
+    high: f64,
+    centre: f64,
+    error: impl Fn(f64) -> f64,
+) -> impl Iterator<Item = (f64, Rounded)> {
+    (0..PARTS).map(move |part| {
+        let at = |part: u32| low + (high - low) * (f64::from(part) / f64::from(PARTS));
+        let (from, to) = (at(part).next_down() - centre, at(part + 1).next_up() - centre);
+        (at(part), Rounded::new(from.next_down(), to.next_up(), error(from.abs().max(to.abs()))))
+    })
+}
+
+/// Proves `epsilon` near 0 at zero force: the pieces in the square root of `u`.
+fn by_root(interpolant: &Interpolant, low: f64, high: f64) -> Proof {
+    let (from, to) = (low.sqrt().next_down(), high.sqrt().next_up());
+    let mut proof = Proof::NONE;
+    if forms::table_of_roots().all(|form| form.high <= to) {
+        proof.epsilon.bound = f64::INFINITY; // a root is rounded beyond the table
+    }
+    for form in forms::table_of_roots().filter(|form| form.low < to && from < form.high) {
+        let margin = f64::EPSILON; // of the sum of the root with 1
+        let (first, last) = ((form.low - margin).max(from), (form.high + margin).min(to));
+        let span = Span::new(interpolant, (first * first).next_down(), (last * last).next_up());
+        let Some(root) = &span.root else { continue };
+        let t = root.plus(&root.of(-form.centre));
+        let (constant, missed) = span.missed(&form.epsilon(t));
+        let of_root = 2.0 * half_unit(last);
+        for (at, t) in parts(first, last, form.centre, |t| of_root + half_unit(t)) {
+            let kept: Rounded = form.epsilon(t);
+            proof.epsilon = proof.epsilon.or(kept.units(missed), at * at);
+            proof.approximation = proof.approximation.or((missed - constant) / kept.low, at * at);
+        }
+    }
+    proof
+}
+
+/// Proves `epsilon` at zero compression from the end of the table on.
+///
+/// `epsilon u^5` grows to `R^5` (docs/direct-integration.md, section 7), so that its value at one `u` bounds it for all larger
+/// ones. In the significand `m` of `u` the pieces differ from `R^5/m^5` by `(form(m) m^5 - R^5)/m^5`; a power of two does the rest.
+///
+/// # Errors
+///
+/// A [`DirectError`] if the integrator cannot prove the two values.
+pub fn beyond() -> Result<Proof, DirectError> {
+    let exit_speed = saturation_speed(&ForceLaw::viscoelastic_spheres(), DIGITS)?;
+    let end = forms::table(End::ZeroCompression).last().map_or(0.0, |form| form.high);
+    let u = Ball::from_f64(end * (1.0 - f64::from(f32::EPSILON)), PREC); // the table may end a rounding before
+    let reached = collision(End::ZeroCompression)?.enclose(&u, PREC)? * u.powi(5);
+    let departure = (Ball::from_integer(1, PREC) - reached / &exit_speed).upper().to_f64();
+    let mut proof = Proof::NONE;
+    let limit = exit_speed.upper().to_f64_round(rug::float::Round::Up);
+    for form in forms::table_beyond() {
+        let exact = |x: f64| Float::with_val(PREC, x);
+        let (middle, half) = (exact(form.centre), exact((form.high - form.low) / 2.0));
+        let m = Polynomial::line(&middle, &half);
+        let power = m.clone() * m.clone() * m.clone() * m.clone() * m.clone();
+        let ours: Polynomial = form.epsilon(m.plus(&m.of(-form.centre)));
+        let (constant, all) = (ours * power).plus(&Polynomial::ball(-&exit_speed)).size();
+        let missed = (all + limit * departure) / form.low.powi(5);
+        for (at, t) in parts(form.low, form.high, form.centre, |_| 0.0) {
+            let kept: Rounded = form.epsilon(t);
+            proof.epsilon = proof.epsilon.or(kept.units(missed), at);
+            proof.approximation = proof.approximation.or((all - constant) / limit, at);
+        }
+    }
+    Ok(proof)
+}
+
 /// Proves the form near 0 from `low` to `high`.
 fn near(interpolant: &Interpolant, low: f64, high: f64, end: End) -> Proof {
     let span = Span::new(interpolant, low, high);
@@ -162,13 +235,8 @@ fn near(interpolant: &Interpolant, low: f64, high: f64, end: End) -> Proof {
         let root = Rounded::new(root.0, root.1, 2.0 * half_unit(root.1));
         let lost: Rounded = forms::near(root, Rounded::new(from, to, 0.0), end);
         proof.one_minus_epsilon = proof.one_minus_epsilon.or(lost.units(missed), at(part));
-        if end == End::ZeroForce {
-            let kept = lost.negated().plus(lost.of(1.0));
-            proof.epsilon = proof.epsilon.or(kept.units(missed), at(part));
-        }
-        proof.approximation = proof.approximation.or(missed, at(part));
     }
-    proof
+    if end == End::ZeroForce { proof.and(by_root(interpolant, low, high)) } else { proof }
 }
 
 fn collision(end: End) -> Result<Collision, DirectError> {

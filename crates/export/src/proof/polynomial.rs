@@ -17,6 +17,10 @@ impl Polynomial {
         Self(vec![Ball::exact(c.clone()).with_prec(PREC)])
     }
 
+    pub(super) fn ball(c: Ball) -> Self {
+        Self(vec![c])
+    }
+
     /// `middle + half_width x`.
     pub(super) fn line(middle: &Float, half_width: &Float) -> Self {
         Self([middle, half_width].map(|c| Ball::exact(c.clone()).with_prec(PREC)).to_vec())

@@ -1,9 +1,11 @@
 //! A block of arguments, form by form.
 
+use super::Work;
+use super::ends::{Compression, Force, Table};
 use super::machine::{BLOCK, Block, Machine};
-use crate::fifth_root::{Root, is_ordinary};
-use crate::pieces::{Grid, Piece};
-use crate::{End, Restitution, zero_compression, zero_force};
+use crate::fifth_root::{Root, fifth_power, is_ordinary};
+use crate::pieces::WORDS;
+use crate::{End, Restitution};
 
 /// What is asked for.
 #[derive(Clone, Copy, PartialEq)]
@@ -25,167 +27,184 @@ pub(super) struct Batch<'a> {
     pub(super) factor: Option<Restitution>,
 }
 
-impl Batch<'_> {
-    /// Evaluates block by block; the last block ends with the last argument, whatever it repeats.
+impl Work for Batch<'_> {
     #[inline(always)]
-    pub(super) fn run(self, machine: impl Machine) {
-        let quantity = self.quantity;
+    fn run(self, machine: impl Machine) {
         match self.end {
-            End::ZeroCompression => self.run_form(machine, &zero_compression_form(quantity)),
-            End::ZeroForce => self.run_form(machine, &zero_force_form(quantity)),
+            End::ZeroCompression => self.run_table(Blocks { machine, table: Compression }),
+            End::ZeroForce => self.run_table(Blocks { machine, table: Force }),
         }
     }
+}
 
+/// Evaluates `epsilon` of one block.
+#[inline(always)]
+pub(super) fn evaluate(machine: impl Machine, end: End, u: &[f64; BLOCK], out: &mut [f64; BLOCK]) {
+    match end {
+        End::ZeroCompression => Blocks { machine, table: Compression }.kept(u, out),
+        End::ZeroForce => Blocks { machine, table: Force }.kept(u, out),
+    }
+}
+
+impl Batch<'_> {
+    /// Evaluates block by block; the last block ends with the last argument, whatever it repeats.
+    ///
     // Loops and named functions that are always inlined, not closures: only what ends up inside the function that a
     // machine has compiled for itself uses its instructions.
     #[inline(always)]
-    fn run_form<const N: usize>(
-        self,
-        machine: impl Machine,
-        form: &Form<'_, N, impl Fn(f64) -> f64, impl Fn(f64) -> f64>,
-    ) {
+    fn run_table<const N: usize, M: Machine, T: Table<N>>(self, blocks: Blocks<M, T>) {
         let Batch { u, out, quantity, factor, .. } = self;
         if u.len() < BLOCK {
             for (u, out) in u.iter().zip(out) {
-                *out = match (factor, quantity) {
-                    (None, _) => (form.single)(*u),
-                    (Some(law), Quantity::Kept) => law.epsilon(*u),
-                    (Some(law), Quantity::Lost) => law.one_minus_epsilon(*u),
-                    (Some(law), Quantity::U) => law.u(*u),
-                };
+                *out = single::<N, T>(*u, quantity, factor);
             }
             return;
         }
-        let forms = Forms { machine, quantity };
         let last = u.len() - BLOCK;
         let mut next = 0;
         while next < u.len() {
             let start = next.min(last);
             let arguments: &[f64; BLOCK] = u[start..].first_chunk().expect("a block");
             let values = out[start..].first_chunk_mut().expect("a block");
-            match factor {
-                None => forms.at(arguments, values, form),
-                Some(law) => forms.at_velocities(law, arguments, values, form),
+            match (factor, quantity) {
+                (Some(law), _) => blocks.at_velocities(law, quantity, arguments, values),
+                (None, Quantity::Kept) => blocks.kept(arguments, values),
+                (None, _) => blocks.lost(arguments, values),
             }
             next += BLOCK;
         }
     }
 }
 
-/// The forms of one end of contact and one quantity, and where they hold.
-struct Form<'a, const N: usize, Near, Beyond> {
-    table: &'a [Piece; N],
-    grid: &'a Grid,
-    /// Below, `near` holds.
-    near_end: f64,
-    near: Near,
-    /// From here on `beyond` holds, up to `beyond_end`.
-    table_end: f64,
-    beyond: Beyond,
-    beyond_end: f64,
-    /// For every argument.
-    single: fn(f64) -> f64,
-}
-
-#[inline(always)]
-fn zero_compression_form(
-    quantity: Quantity,
-) -> Form<'static, { zero_compression::ROWS }, impl Fn(f64) -> f64, impl Fn(f64) -> f64> {
-    use zero_compression as form;
-    let kept = quantity == Quantity::Kept;
-    let beyond = |u| form::inverse_fifth_power(u, 0.0);
-    Form {
-        table: form::TABLE,
-        grid: &form::GRID,
-        near_end: if kept { form::NOTHING_LOST } else { form::NEAR_END },
-        near: move |u| if kept { 1.0 } else { form::near(u) },
-        table_end: form::TABLE_END,
-        beyond: move |u| if kept { beyond(u) } else { 1.0 - beyond(u) },
-        beyond_end: form::LARGE,
-        single: if kept { form::epsilon } else { form::one_minus_epsilon },
+/// One argument or velocity.
+fn single<const N: usize, T: Table<N>>(u: f64, quantity: Quantity, factor: Option<Restitution>) -> f64 {
+    match (factor, quantity) {
+        (None, Quantity::Kept) => T::epsilon(u),
+        (None, _) => T::one_minus_epsilon(u),
+        (Some(law), Quantity::Kept) => law.epsilon(u),
+        (Some(law), Quantity::Lost) => law.one_minus_epsilon(u),
+        (Some(law), Quantity::U) => law.u(u),
     }
 }
 
+/// The rows of arguments that are placed in `u`, and the distances from their centres.
 #[inline(always)]
-fn zero_force_form(
-    quantity: Quantity,
-) -> Form<'static, { zero_force::ROWS }, impl Fn(f64) -> f64, impl Fn(f64) -> f64> {
-    use zero_force as form;
-    let kept = quantity == Quantity::Kept;
-    Form {
-        table: form::TABLE,
-        grid: &form::GRID,
-        near_end: form::NEAR_END,
-        near: move |u| if kept { 1.0 - form::near(u) } else { form::near(u) },
-        table_end: form::TABLE_END,
-        beyond: |u| u,
-        beyond_end: form::TABLE_END, // one by one from there on
-        single: if kept { form::epsilon } else { form::one_minus_epsilon },
+fn places<const N: usize, T: Table<N>>(u: &[f64; BLOCK]) -> (Block<u64>, Block<f64>) {
+    let (mut start, mut t) = (Block::zeros(), Block::zeros());
+    for i in 0..BLOCK {
+        let (row, centre) = T::place(u[i]);
+        (start[i], t[i]) = (row.wrapping_mul(WORDS), u[i] - centre);
     }
+    (start, t)
 }
 
-#[derive(Clone, Copy)]
-struct Forms<M> {
+/// The rows of arguments each of which is placed in its own variable.
+#[inline(always)]
+fn mixed_places<const N: usize, T: Table<N>>(u: &[f64; BLOCK]) -> Places {
+    let mut places = Places::new();
+    for (i, u) in u.iter().enumerate() {
+        let (row, centre) = T::place(*u);
+        let (other, t, power) = T::place_other(*u, 0.0);
+        let is_other = T::is_other(*u);
+        places.start[i] = if is_other { other } else { row }.wrapping_mul(WORDS);
+        places.t[i] = if is_other { t } else { *u - centre };
+        if T::HAS_POWER {
+            places.power[i] = if is_other { power } else { 1.0 };
+        }
+    }
+    places
+}
+
+/// Blocks are evaluated by a machine in a table.
+struct Blocks<M, T> {
     machine: M,
-    quantity: Quantity,
+    #[allow(dead_code)]
+    table: T,
 }
 
-impl<M: Machine> Forms<M> {
-    /// Evaluates at arguments `u`.
+/// The words of the table at which the rows of a block start, the distances from their centres, and what values are multiplied by.
+struct Places {
+    start: Block<u64>,
+    t: Block<f64>,
+    power: Block<f64>,
+}
+
+impl Places {
     #[inline(always)]
-    fn at<const N: usize>(
-        self,
-        u: &[f64; BLOCK],
-        out: &mut [f64; BLOCK],
-        form: &Form<'_, N, impl Fn(f64) -> f64, impl Fn(f64) -> f64>,
-    ) {
-        let mut inside = true;
+    fn new() -> Self {
+        Self { start: Block::zeros(), t: Block::zeros(), power: Block::zeros() }
+    }
+}
+
+impl<M: Machine, T> Blocks<M, T> {
+    /// `epsilon` of a block.
+    #[inline(always)]
+    fn kept<const N: usize>(&self, u: &[f64; BLOCK], out: &mut [f64; BLOCK])
+    where
+        T: Table<N>,
+    {
+        let (mut common, mut odd) = (true, false);
         for u in u {
-            inside &= (form.near_end <= *u) & (*u < form.table_end);
+            common &= (T::NOTHING_LOST <= *u) & (*u < T::END) & !T::is_other(*u);
+            odd |= !((0.0 <= *u) & (*u < T::END));
         }
-        let (near, beyond, odd) = if inside { (0, 0, false) } else { form.census(u) };
-        if near == BLOCK as u64 && !odd {
-            for i in 0..BLOCK {
-                out[i] = (form.near)(u[i]);
-            }
+        if common {
+            let (start, t) = places::<N, T>(u);
+            self.machine.values(T::ROWS, &start, &t, out);
             return;
         }
-        let (mut index, mut t) = (Block::zeros(), Block::zeros());
+        let places = mixed_places::<N, T>(u);
+        self.machine.values(T::ROWS, &places.start, &places.t, out);
         for i in 0..BLOCK {
-            let (piece, centre) = form.grid.locate(u[i]);
-            (index[i], t[i]) = (piece as u64, u[i] - centre);
-        }
-        match self.quantity {
-            Quantity::Kept => self.machine.values(form.table, &index, &t, out),
-            Quantity::Lost | Quantity::U => self.machine.losses(form.table, &index, &t, out),
-        }
-        if inside {
-            return;
+            let value = if T::HAS_POWER { out[i] * places.power[i] } else { out[i] };
+            out[i] = if u[i] < T::NOTHING_LOST { 1.0 } else { value };
         }
         if odd {
             for i in 0..BLOCK {
-                if !(form.near_end..form.table_end).contains(&u[i]) {
-                    out[i] = (form.single)(u[i]);
+                if !(0.0..T::END).contains(&u[i]) {
+                    out[i] = T::epsilon(u[i]);
                 }
             }
-            return;
+        }
+    }
+
+    /// `1 - epsilon` of a block.
+    #[inline(always)]
+    fn lost<const N: usize>(&self, u: &[f64; BLOCK], out: &mut [f64; BLOCK])
+    where
+        T: Table<N>,
+    {
+        let (mut near, mut common, mut odd) = (0_u64, true, false);
+        for u in u {
+            let is_near = *u < T::NEAR_END;
+            near += u64::from(is_near);
+            common &= is_near | !T::is_other(*u);
+            odd |= !((0.0 <= *u) & (*u < T::END));
+        }
+        if common && near < BLOCK as u64 {
+            let (start, t) = places::<N, T>(u);
+            self.machine.losses(T::ROWS, &start, &t, out);
+        }
+        if !common {
+            let places = mixed_places::<N, T>(u);
+            let mut kept = Block::zeros();
+            self.machine.values_and_losses(T::ROWS, &places.start, &places.t, &mut kept, out);
+            for i in 0..BLOCK {
+                let beyond = 1.0 - kept[i] * places.power[i];
+                out[i] = if T::is_other(u[i]) { beyond } else { out[i] };
+            }
         }
         if near > FEW {
             for i in 0..BLOCK {
-                let value = (form.near)(u[i]);
-                out[i] = if u[i] < form.near_end { value } else { out[i] };
-            }
-        } else if near > 0 {
-            for i in 0..BLOCK {
-                if u[i] < form.near_end {
-                    out[i] = (form.single)(u[i]);
-                }
+                let value = T::near(u[i]);
+                out[i] = if u[i] < T::NEAR_END { value } else { out[i] };
             }
         }
-        if beyond > 0 {
+        if odd | (near > 0 && near <= FEW) {
             for i in 0..BLOCK {
-                let value = (form.beyond)(u[i]);
-                out[i] = if u[i] >= form.table_end { value } else { out[i] };
+                if u[i] < T::NEAR_END || !(0.0..T::END).contains(&u[i]) {
+                    out[i] = T::one_minus_epsilon(u[i]);
+                }
             }
         }
     }
@@ -193,38 +212,40 @@ impl<M: Machine> Forms<M> {
     /// Evaluates at velocities: the fifth roots of the block, then as single calls do.
     #[inline(always)]
     fn at_velocities<const N: usize>(
-        self,
+        &self,
         law: Restitution,
+        quantity: Quantity,
         velocities: &[f64; BLOCK],
         out: &mut [f64; BLOCK],
-        form: &Form<'_, N, impl Fn(f64) -> f64, impl Fn(f64) -> f64>,
-    ) {
+    ) where
+        T: Table<N>,
+    {
         let (ordinary, roots) = self.roots(law.factor(), velocities);
-        match self.quantity {
-            Quantity::Kept if ordinary => self.of_roots(law, velocities, &roots, out, form),
-            Quantity::Kept => {
-                for i in 0..BLOCK {
-                    out[i] = law.epsilon(velocities[i]);
-                }
+        if quantity == Quantity::Kept && ordinary {
+            self.of_roots(law, velocities, &roots, out);
+            return;
+        }
+        if quantity == Quantity::Kept {
+            for i in 0..BLOCK {
+                out[i] = law.epsilon(velocities[i]);
             }
-            Quantity::Lost | Quantity::U => {
-                let mut u = Block::<f64>::zeros();
-                for i in 0..BLOCK {
-                    u[i] = roots.at(i).distance(0.0);
-                }
-                if !ordinary {
-                    for i in 0..BLOCK {
-                        u[i] = law.u(velocities[i]);
-                    }
-                }
-                if self.quantity == Quantity::U { *out = *u } else { self.at(&u, out, form) }
+            return;
+        }
+        let mut u = Block::<f64>::zeros();
+        for i in 0..BLOCK {
+            u[i] = roots.at(i).distance(0.0);
+        }
+        if !ordinary {
+            for i in 0..BLOCK {
+                u[i] = law.u(velocities[i]);
             }
         }
+        if quantity == Quantity::U { *out = *u } else { self.lost(&u, out) }
     }
 
     /// Takes the fifth roots, and says whether all products are ordinary numbers.
     #[inline(always)]
-    fn roots(self, factor: f64, velocities: &[f64; BLOCK]) -> (bool, Roots) {
+    fn roots(&self, factor: f64, velocities: &[f64; BLOCK]) -> (bool, Roots) {
         let mut ordinary = true;
         let (mut index, mut y, mut scale) = (Block::zeros(), Block::zeros(), Block::zeros());
         for i in 0..BLOCK {
@@ -234,32 +255,56 @@ impl<M: Machine> Forms<M> {
         }
         let (mut root, mut reciprocal) = (Block::zeros(), Block::zeros());
         self.machine.roots(&index, &mut root, &mut reciprocal);
-        (ordinary, Roots { root, reciprocal, y, scale })
+        let mut power = Block::zeros();
+        for i in 0..BLOCK {
+            power[i] = fifth_power(root[i]);
+        }
+        (ordinary, Roots { root, reciprocal, power, y, scale })
     }
 
     /// `epsilon` from roots that are known better than one f64.
     #[inline(always)]
     fn of_roots<const N: usize>(
-        self,
+        &self,
         law: Restitution,
         velocities: &[f64; BLOCK],
         roots: &Roots,
         out: &mut [f64; BLOCK],
-        form: &Form<'_, N, impl Fn(f64) -> f64, impl Fn(f64) -> f64>,
-    ) {
-        let near_end = if law.end() == End::ZeroForce { form.near_end } else { 0.0 };
-        let (mut index, mut t, mut outside) = (Block::zeros(), Block::zeros(), false);
+    ) where
+        T: Table<N>,
+    {
+        let (mut places, mut common, mut odd) = (Places::new(), true, false);
         for i in 0..BLOCK {
             let root = roots.at(i);
             let estimate = root.estimate();
-            let (piece, centre) = form.grid.locate(estimate);
-            outside |= !(near_end <= estimate && estimate < form.table_end);
-            (index[i], t[i]) = (piece as u64, root.distance(centre));
+            let (row, centre) = T::place(estimate);
+            common &= !T::is_other(estimate);
+            odd |= estimate >= T::END;
+            (places.start[i], places.t[i]) = (row.wrapping_mul(WORDS), root.distance(centre));
         }
-        self.machine.values(form.table, &index, &t, out);
-        if outside {
+        let mut u = Block::<f64>::zeros();
+        if !common {
             for i in 0..BLOCK {
-                if !(near_end..form.table_end).contains(&roots.at(i).estimate()) {
+                let root = roots.at(i);
+                u[i] = root.distance(0.0);
+                let (other, t, power) = T::place_other(u[i], root.distance(u[i]));
+                let is_other = T::is_other(root.estimate());
+                places.start[i] = if is_other { other.wrapping_mul(WORDS) } else { places.start[i] };
+                places.t[i] = if is_other { t } else { places.t[i] };
+                places.power[i] = if is_other { power } else { 1.0 };
+            }
+        }
+        self.machine.values(T::ROWS, &places.start, &places.t, out);
+        if !common {
+            for i in 0..BLOCK {
+                let one = !T::HAS_POWER & (u[i] < T::NOTHING_LOST); // as single calls do
+                let value = if T::HAS_POWER { out[i] * places.power[i] } else { out[i] };
+                out[i] = if one { 1.0 } else { value };
+            }
+        }
+        if odd {
+            for i in 0..BLOCK {
+                if roots.at(i).estimate() >= T::END {
                     out[i] = law.epsilon(velocities[i]);
                 }
             }
@@ -270,24 +315,11 @@ impl<M: Machine> Forms<M> {
 /// Up to so many arguments near 0 are evaluated one by one rather than the form for all.
 const FEW: u64 = 4;
 
-impl<const N: usize, Near, Beyond> Form<'_, N, Near, Beyond> {
-    /// Counts the arguments below and beyond the table, and says whether one has no form of its own.
-    #[inline(always)]
-    fn census(&self, u: &[f64; BLOCK]) -> (u64, u64, bool) {
-        let (mut near, mut beyond, mut odd) = (0, 0, false);
-        for u in *u {
-            near += u64::from(u < self.near_end);
-            beyond += u64::from(self.table_end <= u && u < self.beyond_end);
-            odd |= !(u >= 0.0 && u < self.beyond_end);
-        }
-        (near, beyond, odd)
-    }
-}
-
 /// What the fifth roots of a block are made of.
 struct Roots {
     root: Block<f64>,
     reciprocal: Block<f64>,
+    power: Block<f64>,
     y: Block<f64>,
     scale: Block<f64>,
 }
@@ -295,6 +327,6 @@ struct Roots {
 impl Roots {
     #[inline(always)]
     fn at(&self, i: usize) -> Root {
-        Root::from_piece([self.root[i], self.reciprocal[i]], self.y[i], self.scale[i])
+        Root::from_piece([self.root[i], self.reciprocal[i]], self.power[i], self.y[i], self.scale[i])
     }
 }

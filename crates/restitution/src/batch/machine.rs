@@ -1,7 +1,8 @@
 //! What a processor is asked for: rows of a table, looked up and evaluated side by side.
 
 use crate::fifth_root::ROOTS;
-use crate::pieces::Piece;
+use crate::pieces::Rows;
+use crate::tier::value;
 use core::ops::{Deref, DerefMut};
 
 /// How many arguments are looked at together.
@@ -37,11 +38,11 @@ impl<T> DerefMut for Block<T> {
 
 /// A set of instructions that a block is evaluated with.
 pub(super) trait Machine: Copy {
-    /// Writes the coefficient at `centre + t` of the piece of each index, the last piece for indexes beyond.
+    /// Writes the coefficient at `centre + t` of the row that starts at each word.
     fn values<const N: usize>(
         self,
-        table: &[Piece; N],
-        index: &Block<u64>,
+        table: &Rows<N>,
+        start: &Block<u64>,
         t: &Block<f64>,
         out: &mut [f64; BLOCK],
     );
@@ -49,9 +50,28 @@ pub(super) trait Machine: Copy {
     /// Writes one less the coefficient.
     fn losses<const N: usize>(
         self,
-        table: &[Piece; N],
-        index: &Block<u64>,
+        table: &Rows<N>,
+        start: &Block<u64>,
         t: &Block<f64>,
+        out: &mut [f64; BLOCK],
+    );
+
+    /// Writes both.
+    fn values_and_losses<const N: usize>(
+        self,
+        table: &Rows<N>,
+        start: &Block<u64>,
+        t: &Block<f64>,
+        kept: &mut [f64; BLOCK],
+        lost: &mut [f64; BLOCK],
+    );
+
+    /// Writes the values of rows of a tier.
+    fn tier<const N: usize, const WIDTH: usize>(
+        self,
+        table: &Rows<N>,
+        start: &Block<u64>,
+        distance: &Block<f64>,
         out: &mut [f64; BLOCK],
     );
 
@@ -67,26 +87,54 @@ impl Machine for Compiled {
     #[inline(always)]
     fn values<const N: usize>(
         self,
-        table: &[Piece; N],
-        index: &Block<u64>,
+        table: &Rows<N>,
+        start: &Block<u64>,
         t: &Block<f64>,
         out: &mut [f64; BLOCK],
     ) {
         for i in 0..BLOCK {
-            out[i] = table[(index[i] as usize).min(N - 1)].value(t[i]);
+            out[i] = table.row(start[i]).value(t[i]);
         }
     }
 
     #[inline(always)]
     fn losses<const N: usize>(
         self,
-        table: &[Piece; N],
-        index: &Block<u64>,
+        table: &Rows<N>,
+        start: &Block<u64>,
         t: &Block<f64>,
         out: &mut [f64; BLOCK],
     ) {
         for i in 0..BLOCK {
-            out[i] = table[(index[i] as usize).min(N - 1)].one_minus(t[i]);
+            out[i] = table.row(start[i]).one_minus(t[i]);
+        }
+    }
+
+    #[inline(always)]
+    fn values_and_losses<const N: usize>(
+        self,
+        table: &Rows<N>,
+        start: &Block<u64>,
+        t: &Block<f64>,
+        kept: &mut [f64; BLOCK],
+        lost: &mut [f64; BLOCK],
+    ) {
+        self.values(table, start, t, kept);
+        self.losses(table, start, t, lost);
+    }
+
+    #[inline(always)]
+    fn tier<const N: usize, const WIDTH: usize>(
+        self,
+        table: &Rows<N>,
+        start: &Block<u64>,
+        distance: &Block<f64>,
+        out: &mut [f64; BLOCK],
+    ) {
+        for i in 0..BLOCK {
+            let row = table.words(start[i]);
+            let c: [f64; WIDTH] = core::array::from_fn(|k| f64::from_bits(row[k]));
+            out[i] = value(&c, distance[i]);
         }
     }
 

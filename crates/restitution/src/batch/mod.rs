@@ -5,12 +5,16 @@
 //! transposed in registers ([`machine`]): no gathers. Every value is the one that the single call gives, to the bit.
 
 mod block;
+mod ends;
 mod machine;
+mod tiers;
 #[cfg(all(feature = "simd", target_arch = "x86_64"))]
 mod x86;
 
+use crate::tier::Tier;
 use crate::{End, Restitution};
 use block::{Batch, Quantity};
+use tiers::TierBatch;
 
 /// Writes `epsilon(u)` of each element to `out`, as far as the shorter of the two slices reaches.
 ///
@@ -71,6 +75,15 @@ pub fn u_of_epsilon_batch(epsilon: &[f64], out: &mut [f64], end: End) {
     });
 }
 
+impl<const ROWS: usize, const WIDTH: usize> Tier<ROWS, WIDTH> {
+    /// Writes `epsilon(u)` of each element to `out`, as far as the shorter of the two reaches.
+    ///
+    /// Every value is the one [`epsilon`](Self::epsilon) gives, to the bit; otherwise as [`epsilon_batch`].
+    pub fn epsilon_batch(&self, u: &[f64], out: &mut [f64]) {
+        run(u, out, &|u, out| dispatch(TierBatch { tier: self, u, out }));
+    }
+}
+
 impl Restitution {
     /// Writes the coefficients at `velocities` to `out`, as far as the shorter of the two reaches.
     ///
@@ -116,15 +129,20 @@ fn run(arguments: &[f64], out: &mut [f64], job: &(impl Fn(&[f64], &mut [f64]) + 
     job(arguments, out);
 }
 
-/// Runs a batch with the widest vectors of the processor at hand.
-fn dispatch(batch: Batch<'_>) {
+/// Work that a machine does.
+trait Work {
+    fn run(self, machine: impl machine::Machine);
+}
+
+/// Does work with the widest vectors of the processor at hand.
+fn dispatch(work: impl Work) {
     #[cfg(all(feature = "simd", target_arch = "x86_64"))]
     {
-        x86::run(batch);
+        x86::run(work);
     }
     #[cfg(not(all(feature = "simd", target_arch = "x86_64")))]
     {
-        batch.run(machine::Compiled);
+        work.run(machine::Compiled);
     }
 }
 

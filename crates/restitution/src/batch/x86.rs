@@ -1,57 +1,55 @@
 //! Vectors of 256 and 512 bits: rows are loaded whole and transposed in registers.
 
-use super::block::Batch;
+use super::Work;
 use super::machine::{BLOCK, Block, Compiled, Machine};
 use crate::fifth_root::ROOTS;
-use crate::pieces::{LIFT, Piece, one_minus, polynomial};
+use crate::pieces::{LENGTH, LIFT_SEVENTH, LIFT_SIXTH, Rows, one_minus, polynomial};
 use crate::rounding::{Number, Rooted};
+use crate::tier::value;
 use core::arch::x86_64::__m128d;
 use core::ops::Mul;
 use pulp::x86::{V3, V4};
 use pulp::{NullaryFnOnce, Simd, cast, f64x4};
 
-/// Runs a batch with the widest vectors of the processor at hand.
-pub(super) fn run(batch: Batch<'_>) {
+/// Does work with the widest vectors of the processor at hand.
+pub(super) fn run(work: impl Work) {
     if let Some(simd) = V4::try_new() {
-        simd.vectorize(Job { batch, machine: simd });
+        simd.vectorize(Job { work, machine: simd });
     } else if let Some(simd) = V3::try_new() {
-        simd.vectorize(Job { batch, machine: simd });
+        simd.vectorize(Job { work, machine: simd });
     } else {
-        batch.run(Compiled);
+        work.run(Compiled);
     }
 }
 
-/// A batch that is compiled for a machine.
-struct Job<'a, M> {
-    batch: Batch<'a>,
+/// Work that is compiled for a machine.
+struct Job<W, M> {
+    work: W,
     machine: M,
 }
 
-impl<M: Machine> NullaryFnOnce for Job<'_, M> {
+impl<W: Work, M: Machine> NullaryFnOnce for Job<W, M> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        self.batch.run(self.machine);
+        self.work.run(self.machine);
     }
 }
 
 /// What is not the same for all widths.
 trait Width: Simd {
     /// Returns column `k` of the rows in vector `k`.
-    fn columns<const N: usize>(self, table: &[Piece; N], index: &[u64]) -> [Self::f64s; 8];
+    fn columns<const N: usize>(self, table: &Rows<N>, index: &[u64]) -> [Self::f64s; 8];
 
     /// Returns the roots and the reciprocals of pieces of the fifth root.
     fn roots(self, index: &[u64]) -> [Self::f64s; 2];
 
-    /// Returns the bits of each number [`LIFT`] places higher.
-    fn lifted(self, x: Self::f64s) -> Self::f64s;
-}
+    /// Returns the bits of each number [`LIFT_SIXTH`] places higher.
+    fn sixth(self, x: Self::f64s) -> Self::f64s;
 
-/// A row of the table; the last one for an index beyond.
-#[inline(always)]
-fn row<const N: usize>(table: &[Piece; N], index: u64) -> &[u64; 8] {
-    table[(index as usize).min(N - 1)].row()
+    /// Returns the bits of each number [`LIFT_SEVENTH`] places higher.
+    fn seventh(self, x: Self::f64s) -> Self::f64s;
 }
 
 /// A piece of the fifth root; the last one for an index beyond.
@@ -70,7 +68,7 @@ impl Width for V4 {
     }
 
     #[inline(always)]
-    fn columns<const N: usize>(self, table: &[Piece; N], index: &[u64]) -> [Self::f64s; 8] {
+    fn columns<const N: usize>(self, table: &Rows<N>, index: &[u64]) -> [Self::f64s; 8] {
         let (low, high) = index.split_at(4);
         let simd: &V3 = &self;
         let [a0, a1, a2, a3, a4, a5, a6, a7] = simd.columns(table, low);
@@ -88,8 +86,13 @@ impl Width for V4 {
     }
 
     #[inline(always)]
-    fn lifted(self, x: Self::f64s) -> Self::f64s {
-        cast(self.avx512f._mm512_slli_epi64::<LIFT>(cast(x)))
+    fn sixth(self, x: Self::f64s) -> Self::f64s {
+        cast(self.avx512f._mm512_slli_epi64::<LIFT_SIXTH>(cast(x)))
+    }
+
+    #[inline(always)]
+    fn seventh(self, x: Self::f64s) -> Self::f64s {
+        cast(self.avx512f._mm512_slli_epi64::<LIFT_SEVENTH>(cast(x)))
     }
 }
 
@@ -101,10 +104,9 @@ impl Width for V3 {
     }
 
     #[inline(always)]
-    fn columns<const N: usize>(self, table: &[Piece; N], index: &[u64]) -> [Self::f64s; 8] {
+    fn columns<const N: usize>(self, table: &Rows<N>, index: &[u64]) -> [Self::f64s; 8] {
         let &[i0, i1, i2, i3] = index.first_chunk().expect("a vector of indexes");
-        let [a, b, c, d]: [[__m128d; 4]; 4] =
-            [cast(*row(table, i0)), cast(*row(table, i1)), cast(*row(table, i2)), cast(*row(table, i3))];
+        let [a, b, c, d]: [[__m128d; 4]; 4] = [i0, i1, i2, i3].map(|start| cast(*table.words(start)));
         let [c0, c1] = self.interleaved([a[0], b[0], c[0], d[0]]);
         let [c2, c3] = self.interleaved([a[1], b[1], c[1], d[1]]);
         let [c4, c5] = self.interleaved([a[2], b[2], c[2], d[2]]);
@@ -113,8 +115,13 @@ impl Width for V3 {
     }
 
     #[inline(always)]
-    fn lifted(self, x: Self::f64s) -> Self::f64s {
-        cast(self.avx2._mm256_slli_epi64::<{ LIFT as i32 }>(cast(x)))
+    fn sixth(self, x: Self::f64s) -> Self::f64s {
+        cast(self.avx2._mm256_slli_epi64::<{ LIFT_SIXTH as i32 }>(cast(x)))
+    }
+
+    #[inline(always)]
+    fn seventh(self, x: Self::f64s) -> Self::f64s {
+        cast(self.avx2._mm256_slli_epi64::<{ LIFT_SEVENTH as i32 }>(cast(x)))
     }
 }
 
@@ -178,7 +185,7 @@ impl<S: Width> Rooted for Vector<S> {
 
 /// What becomes of a row.
 trait Reading {
-    fn of<T: Number>(c: &[T; 7], complement: T, t: T) -> T;
+    fn of<T: Number>(c: &[T; LENGTH], complement: T, t: T) -> T;
 }
 
 struct Value;
@@ -186,14 +193,14 @@ struct Loss;
 
 impl Reading for Value {
     #[inline(always)]
-    fn of<T: Number>(c: &[T; 7], _: T, t: T) -> T {
+    fn of<T: Number>(c: &[T; LENGTH], _: T, t: T) -> T {
         polynomial(c, t)
     }
 }
 
 impl Reading for Loss {
     #[inline(always)]
-    fn of<T: Number>(c: &[T; 7], complement: T, t: T) -> T {
+    fn of<T: Number>(c: &[T; LENGTH], complement: T, t: T) -> T {
         one_minus(c, complement, t)
     }
 }
@@ -202,7 +209,7 @@ impl<S: Width> Machine for S {
     #[inline(always)]
     fn values<const N: usize>(
         self,
-        table: &[Piece; N],
+        table: &Rows<N>,
         index: &Block<u64>,
         t: &Block<f64>,
         out: &mut [f64; BLOCK],
@@ -213,12 +220,49 @@ impl<S: Width> Machine for S {
     #[inline(always)]
     fn losses<const N: usize>(
         self,
-        table: &[Piece; N],
+        table: &Rows<N>,
         index: &Block<u64>,
         t: &Block<f64>,
         out: &mut [f64; BLOCK],
     ) {
         read::<S, Loss, N>(self, table, index, t, out);
+    }
+
+    #[inline(always)]
+    fn values_and_losses<const N: usize>(
+        self,
+        table: &Rows<N>,
+        index: &Block<u64>,
+        t: &Block<f64>,
+        kept: &mut [f64; BLOCK],
+        lost: &mut [f64; BLOCK],
+    ) {
+        let (t, _) = S::as_simd_f64s(&t[..]);
+        let (kept, _) = S::as_mut_simd_f64s(&mut kept[..]);
+        let (lost, _) = S::as_mut_simd_f64s(&mut lost[..]);
+        for (((t, kept), lost), start) in t.iter().zip(kept).zip(lost).zip(index.chunks_exact(S::F64_LANES)) {
+            let (c, complement) = row(self, table, start);
+            let t = Vector(self, *t);
+            *kept = polynomial(&c, t).1;
+            *lost = one_minus(&c, complement, t).1;
+        }
+    }
+
+    #[inline(always)]
+    fn tier<const N: usize, const WIDTH: usize>(
+        self,
+        table: &Rows<N>,
+        start: &Block<u64>,
+        distance: &Block<f64>,
+        out: &mut [f64; BLOCK],
+    ) {
+        let (distance, _) = S::as_simd_f64s(&distance[..]);
+        let (out, _) = S::as_mut_simd_f64s(&mut out[..]);
+        for ((s, out), start) in distance.iter().zip(out).zip(start.chunks_exact(S::F64_LANES)) {
+            let columns = self.columns(table, start);
+            let c: [Vector<S>; WIDTH] = core::array::from_fn(|k| Vector(self, columns[k]));
+            *out = value(&c, Vector(self, *s)).1;
+        }
     }
 
     #[inline(always)]
@@ -236,31 +280,34 @@ impl<S: Width> Machine for S {
 #[inline(always)]
 fn read<S: Width, R: Reading, const N: usize>(
     simd: S,
-    table: &[Piece; N],
+    table: &Rows<N>,
     index: &Block<u64>,
     t: &Block<f64>,
     out: &mut [f64; BLOCK],
 ) {
     let (t, _) = S::as_simd_f64s(&t[..]);
     let (out, _) = S::as_mut_simd_f64s(&mut out[..]);
-    for ((t, out), index) in t.iter().zip(out).zip(index.chunks_exact(S::F64_LANES)) {
-        let [c0, c1, c2, c3, c4, c5, complement, _] = simd.columns(table, index);
-        let c = [
-            Vector(simd, c0),
-            Vector(simd, c1),
-            Vector(simd, c2),
-            Vector(simd, c3),
-            Vector(simd, c4),
-            Vector(simd, c5),
-            Vector(simd, simd.lifted(c5)),
-        ];
-        *out = R::of(&c, Vector(simd, complement), Vector(simd, *t)).1;
+    for ((t, out), start) in t.iter().zip(out).zip(index.chunks_exact(S::F64_LANES)) {
+        let (c, complement) = row(simd, table, start);
+        *out = R::of(&c, complement, Vector(simd, *t)).1;
     }
+}
+
+/// The coefficients of the rows that start at these words, and the complements.
+#[inline(always)]
+fn row<S: Width, const N: usize>(
+    simd: S,
+    table: &Rows<N>,
+    start: &[u64],
+) -> ([Vector<S>; LENGTH], Vector<S>) {
+    let [c0, c1, c2, c3, c4, c5, complement, _] = simd.columns(table, start);
+    let c = [c0, c1, c2, c3, c4, c5, simd.sixth(c5), simd.seventh(c4)];
+    (c.map(|c| Vector(simd, c)), Vector(simd, complement))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::block::Quantity;
+    use super::super::block::{Batch, Quantity};
     use super::*;
     use crate::{End, Restitution};
 
@@ -278,11 +325,11 @@ mod tests {
                     };
                     let compiled = bits(&|batch| batch.run(Compiled));
                     if let Some(machine) = V3::try_new() {
-                        let narrow = bits(&|batch| machine.vectorize(Job { batch, machine }));
+                        let narrow = bits(&|batch| machine.vectorize(Job { work: batch, machine }));
                         assert_eq!(compiled, narrow, "256 bits");
                     }
                     if let Some(machine) = V4::try_new() {
-                        let wide = bits(&|batch| machine.vectorize(Job { batch, machine }));
+                        let wide = bits(&|batch| machine.vectorize(Job { work: batch, machine }));
                         assert_eq!(compiled, wide, "512 bits");
                     }
                 }
