@@ -137,7 +137,7 @@ fn formula_35(exact: &Exact) -> Result<[Contestant; 3], ReportError> {
     ])
 }
 
-fn others() -> [Contestant; 6] {
+fn others() -> [Contestant; 8] {
     use Family::{Approximate, Evaluator, MuellerPoeschel};
     let by_slices = |end| {
         Box::new(WithSlices {
@@ -183,7 +183,33 @@ fn others() -> [Contestant; 6] {
             ..Contestant::new(Evaluator, "evaluator, zero force", "full (force)", |u| u)
         }
         .at_zero_force(),
+        Contestant {
+            kernel: from_velocities(inner),
+            ..Contestant::new(Evaluator, "evaluator from velocities, zero compression", "g", |u| u)
+        },
+        Contestant {
+            kernel: from_velocities(outer),
+            ..Contestant::new(Evaluator, "evaluator from velocities, zero force", "g (force)", |u| u)
+        }
+        .at_zero_force(),
     ]
+}
+
+/// The evaluator from velocities `g = u^5`. They are made on the way, and their rounding is part of the error.
+fn from_velocities(end: restitution::End) -> Box<dyn Kernel> {
+    const CHUNK: usize = 256;
+    let law = restitution::Restitution::from_u_at_unit_velocity(1.0, end);
+    let velocity = |u: f64| u * u * (u * u) * u;
+    Box::new(WithSlices {
+        one: move |u| law.epsilon(velocity(u)),
+        many: move |u: &[f64], out: &mut [f64]| {
+            let mut velocities = [0.0; CHUNK];
+            for (u, out) in u.chunks(CHUNK).zip(out.chunks_mut(CHUNK)) {
+                velocities.iter_mut().zip(u).for_each(|(g, u)| *g = velocity(*u));
+                law.epsilon_batch(&velocities[..u.len()], out);
+            }
+        },
+    })
 }
 
 /// The cheaper tiers of the evaluator.

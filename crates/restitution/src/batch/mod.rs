@@ -178,6 +178,7 @@ mod tests {
         }
     }
 
+    #[cfg(feature = "std")]
     #[test]
     fn large_slices_are_shared_out_without_a_difference() {
         let u: Vec<f64> = (0..100_001).map(|i| f64::from(i) * 1e-4).collect();
