@@ -7,6 +7,7 @@ use crate::progress::Progress;
 use crate::{Cell, CliError, OutputArgs, Table, memory};
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, Signed, ToPrimitive};
+use rayon::prelude::*;
 use restitution_real::convert::fraction;
 use restitution_series::Trajectories;
 
@@ -69,10 +70,11 @@ impl TrajectoryArgs {
     fn table(&self, trajectories: &Trajectories) -> Result<Table, CliError> {
         let mut table = Table::new(&["n", "exponent", "coefficient"]);
         for n in 0..=trajectories.damping_order() {
-            let coefficients = trajectories.coefficients(n)?.iter().take(self.within(trajectories, n));
-            for (j, coefficient) in coefficients.enumerate() {
+            let coefficients = &trajectories.coefficients(n)?[..self.within(trajectories, n)];
+            let fractions: Vec<String> = coefficients.par_iter().map(fraction).collect();
+            for (j, fraction) in fractions.into_iter().enumerate() {
                 let exponent = Cell::digits(trajectories.exponent(n, j));
-                table.push(vec![n.into(), exponent, Cell::digits(fraction(coefficient))]);
+                table.push(vec![n.into(), exponent, Cell::digits(fraction)]);
             }
         }
         Ok(table)

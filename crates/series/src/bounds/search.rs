@@ -5,6 +5,7 @@ use super::error::BoundError;
 use super::head::Head;
 use super::majorant::Majorant;
 use num_traits::ToPrimitive;
+use rayon::prelude::*;
 use restitution_law::ForceLaw;
 
 /// Leading terms that are enclosed, tried in turn.
@@ -39,24 +40,22 @@ pub(super) fn rates(law: &ForceLaw, damping_order: usize) -> Result<(Head, Vec<D
 /// All rates a head proves, and the largest depth among those that cover every order.
 fn rates_of_head(law: &ForceLaw, head: &Head, damping_order: usize, log_ratio: f64) -> (Vec<Decay>, f64) {
     let majorant = Majorant::new(law, head);
-    let (mut rates, mut deepest) = (Vec::new(), 0.0);
-    for depth in DEPTHS {
+    let of_depth = |&depth: &f64| {
         let ratio = (depth * log_ratio).exp();
-        let undamped = majorant.decay(ratio, 0.0);
-        if ratio <= 1.0 || undamped.is_none() {
-            continue;
+        let mut rates: Vec<Decay> = majorant.decay(ratio, 0.0).into_iter().collect();
+        if ratio <= 1.0 || rates.is_empty() {
+            return (Vec::new(), 0.0);
         }
-        rates.extend(undamped);
         if damping_order == 0 {
-            deepest = depth;
-            continue;
+            return (rates, depth);
         }
-        if let Some(largest) = largest_damping(&majorant, ratio) {
-            deepest = depth;
-            rates.extend(FRACTIONS.iter().filter_map(|fraction| majorant.decay(ratio, fraction * largest)));
-        }
-    }
-    (rates, deepest)
+        let Some(largest) = largest_damping(&majorant, ratio) else { return (rates, 0.0) };
+        rates.extend(FRACTIONS.iter().filter_map(|fraction| majorant.decay(ratio, fraction * largest)));
+        (rates, depth)
+    };
+    let found: Vec<(Vec<Decay>, f64)> = DEPTHS.par_iter().map(of_depth).collect();
+    let deepest = found.iter().map(|(_, depth)| *depth).fold(0.0, f64::max);
+    (found.into_iter().flat_map(|(rates, _)| rates).collect(), deepest)
 }
 
 /// About the largest damping weight that is proved at a ratio, within 3 %.

@@ -63,12 +63,16 @@ impl Trajectories {
         watch: &(dyn Fn(Ratio<usize>) + Sync),
     ) -> Self {
         let small = terms <= FEW_TERMS || index(law, damping_order, terms) > LARGEST_INDEX;
-        let sizes = if small { None } else { sizes(law, damping_order, terms).ok() };
-        match sizes {
-            // Where no bound on the sizes is known, fractions need none.
-            None => Self::from_orders(law, terms, recurrence::coefficients(law, damping_order, terms)),
-            Some(sizes) => reconstruct_all(law, damping_order, terms, &sizes, watch),
-        }
+        let bounds = || {
+            let denominators = || Denominators::bound(law.lattice(), damping_order, terms);
+            let (sizes, denominators) = rayon::join(|| sizes(law, damping_order, terms), denominators);
+            Some(Bounds { sizes: sizes.ok()?, denominators })
+        };
+        let exact = if small { None } else { bounds() };
+        let orders = exact.and_then(|bounds| reconstruct(law, damping_order, terms, &bounds, watch));
+        // Where no bound on the sizes is known, fractions need none.
+        let orders = orders.unwrap_or_else(|| recurrence::coefficients(law, damping_order, terms));
+        Self::from_orders(law, terms, orders)
     }
 }
 
@@ -93,16 +97,24 @@ fn sizes(law: &ForceLaw, damping_order: usize, terms: usize) -> Result<Vec<Vec<i
     Ok(rows)
 }
 
-fn reconstruct_all(
+/// What is known of the coefficients before they are found.
+struct Bounds {
+    /// For every `(n, j)` an exponent `s` with `|q_(n,j)| <= 2^s`.
+    sizes: Vec<Vec<i64>>,
+    denominators: Denominators,
+}
+
+/// All coefficients, order by order; none if there are not primes enough.
+fn reconstruct(
     law: &ForceLaw,
     damping_order: usize,
     terms: usize,
-    sizes: &[Vec<i64>],
+    bounds: &Bounds,
     watch: &(dyn Fn(Ratio<usize>) + Sync),
-) -> Trajectories {
-    let denominators = Denominators::bound(law.lattice(), damping_order, terms);
+) -> Option<Vec<Vec<BigRational>>> {
+    let Bounds { sizes, denominators } = bounds;
     let multiples: Vec<Vec<Integer>> =
-        (0..=damping_order).map(|n| denominators.multiples(n, terms)).collect();
+        (0..=damping_order).into_par_iter().map(|n| denominators.multiples(n, terms)).collect();
     let bits = |n: usize, j: usize| {
         u32::try_from(i64::from(multiples[n][j].significant_bits()) + sizes[n][j]).unwrap_or(0)
     };
@@ -111,13 +123,13 @@ fn reconstruct_all(
     let count = groups_for(most.unwrap_or(0));
     let primes = primes(count);
     if primes.len() < count {
-        return Trajectories::from_orders(law, terms, recurrence::coefficients(law, damping_order, terms));
+        return None;
     }
     let done = AtomicUsize::new(0);
     let mut residues = vec![Lanes::ZERO; count * (damping_order + 1) * terms];
     let stride = (damping_order + 1) * terms;
     let fill = |(primes, rows): (&Primes, &mut [Lanes])| {
-        numerators_modulo(*primes, law, terms, &denominators, rows);
+        numerators_modulo(*primes, law, terms, denominators, rows);
         watch(Ratio::new_raw(done.fetch_add(1, Ordering::Relaxed) + 1, count));
     };
     primes.par_iter().zip(residues.par_chunks_mut(stride)).for_each(fill);
@@ -133,7 +145,7 @@ fn reconstruct_all(
         )
     };
     let row = |n: usize| (0..terms).into_par_iter().map(move |j| coefficient(n, j)).collect();
-    Trajectories::from_orders(law, terms, (0..=damping_order).map(row).collect())
+    Some((0..=damping_order).map(row).collect())
 }
 
 /// The integers with the given residues at every place, of which each needs so many groups of primes.
