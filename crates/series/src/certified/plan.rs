@@ -2,7 +2,7 @@
 
 use super::attempt::{Expansion, Failure, Plan, Request, attempt, size_for_bits};
 use super::units::log_singular_ratio;
-use crate::kernels::{block_for, size_for};
+use crate::kernels::{LANES, block_for, groups_for, size_for};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use restitution_law::ForceLaw;
@@ -101,21 +101,19 @@ pub(crate) fn expand(goal: &Goal, watch: &mut dyn FnMut(usize)) -> Result<Expans
     }
 }
 
-/// Bytes at the peak for coefficients up to an order: rows of two series and of their multiples as residues, twice as
-/// many where they are multiplied in blocks, and the tables of the transforms.
+/// Bytes at the peak for coefficients up to an order: rows of two series as residues, two or three times as many and
+/// their multiples where they are multiplied in blocks, and the tables of the transforms.
 ///
-/// Measured on spheres, (order, digits): (4, 1000) 64 MB, (8, 300) 14, (1, 3000) 461, (40, 300) 37, (100, 30) 17,
-/// (200, 30) 60, (300, 100) 204, (1000, 30) 2455. The estimate is never below and at most twice that. Laws whose series
-/// fall more slowly than assumed go through balls.
+/// Measured on spheres: see the test. The estimate is never below and at most twice that.
 pub(crate) fn memory_estimate(law: &ForceLaw, order: usize, digits: usize) -> f64 {
     let bits = 3.33 * digits as f64 + 0.9 * order as f64 + 60.0;
     let slope = log_singular_ratio(law).max(0.25);
     let terms = (bits / slope) as usize + MARGIN;
     let points = size_for(terms.max(order.saturating_add(2)).min(1 << 60)) as f64;
-    let primes = 2.0 * bits / 61.0 + 5.0;
-    let copies = if block_for(order) <= order { 2.0 } else { 1.0 };
+    let primes = (LANES * groups_for((2.0 * bits + 192.0).min(1e9) as u32)) as f64;
+    let rows = if block_for(order) <= order { 10.0 } else { 3.0 };
     let families = if law.is_viscoelastic() { 1.0 } else { 4.0 / 3.0 };
-    8e6 + families * (44.0 + 4.4 * copies * order as f64) * points * primes * 8.0
+    8e6 + families * (40.0 + rows * order as f64) * points * primes * 8.0
 }
 
 /// A margin with which at least so many more terms are taken: sizes grow by steps.
@@ -210,14 +208,14 @@ mod tests {
     fn memory_is_what_was_measured() {
         let spheres = ForceLaw::viscoelastic_spheres();
         let measured = [
-            (4, 1000, 64.0),
-            (8, 300, 14.0),
-            (1, 3000, 461.0),
-            (40, 300, 37.0),
-            (100, 30, 17.4),
-            (200, 30, 60.0),
-            (300, 100, 204.0),
-            (1000, 30, 2455.0),
+            (4, 1000, 61.0),
+            (8, 300, 14.3),
+            (1, 3000, 379.0),
+            (40, 300, 31.7),
+            (100, 30, 21.0),
+            (200, 30, 86.7),
+            (300, 100, 263.0),
+            (1000, 30, 3282.0),
         ];
         for (order, digits, megabytes) in measured {
             let estimate = memory_estimate(&spheres, order, digits) / 1e6;
