@@ -141,6 +141,52 @@ fn circles_are_found() {
     assert_eq!(taken("c::d", sources[2].1, &all), BTreeSet::from(["a".to_owned()]));
 }
 
+/// What stands under `[dependencies]` of a crate.
+fn dependencies(folder: &str) -> BTreeSet<String> {
+    let manifest =
+        fs::read_to_string(root().join("crates").join(folder).join("Cargo.toml")).expect("a manifest");
+    let section = manifest.split("\n[dependencies]\n").nth(1).expect("dependencies").split("\n[").next();
+    let name = |line: &str| line.split(['.', ' ', '=']).next().unwrap_or_default().to_owned();
+    section.unwrap_or_default().lines().map(name).filter(|name| !name.is_empty()).collect()
+}
+
+#[test]
+fn the_command_computes_nothing_itself() {
+    // arguments, output and the system; num-* are the exact numbers that arguments are made of
+    const OTHERS: [&str; 13] = [
+        "clap",
+        "clap_complete",
+        "clap_mangen",
+        "ctrlc",
+        "indicatif",
+        "num-rational",
+        "num-traits",
+        "rayon",
+        "serde_json",
+        "sysinfo",
+        "tempfile",
+        "thiserror",
+        "signal-hook",
+    ];
+    let strange = dependencies("cli").into_iter().filter(|name| !name.starts_with("restitution"));
+    let strange = strange.filter(|name| !OTHERS.contains(&name.as_str())).collect::<Vec<_>>();
+    assert!(strange.is_empty(), "{strange:?}: whatever needs them is work of a library");
+    assert!(dependencies("approximate").contains("rug"), "dependencies are read");
+}
+
+#[test]
+fn integration_takes_one_word_from_the_evaluator() {
+    let modules = modules(&root().join("crates/direct/src"));
+    for (name, text) in modules {
+        for line in text.lines().filter(|line| !line.trim_start().starts_with("//")) {
+            let others = line
+                .match_indices("restitution::")
+                .filter(|(at, _)| !line[*at..].starts_with("restitution::End"));
+            assert_eq!(others.count(), 0, "{name}: {line}");
+        }
+    }
+}
+
 #[test]
 fn no_source_is_too_long_to_be_one_thing() {
     let mut long = Vec::new();

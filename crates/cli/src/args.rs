@@ -17,6 +17,15 @@ pub enum EndOfContact {
     ZeroForce,
 }
 
+impl From<EndOfContact> for restitution::End {
+    fn from(end: EndOfContact) -> Self {
+        match end {
+            EndOfContact::ZeroCompression => Self::ZeroCompression,
+            EndOfContact::ZeroForce => Self::ZeroForce,
+        }
+    }
+}
+
 /// The argument `--law`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct LawArgs {

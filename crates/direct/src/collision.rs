@@ -1,9 +1,8 @@
 use crate::compression::compress;
 use crate::dashpot::Dashpot;
-use crate::end::End;
+use crate::equation::{Equation, shown};
 use crate::error::DirectError;
 use crate::exit::{to_zero_compression, to_zero_force};
-use crate::field::{Field, shown};
 use crate::precision::{first_precision, proved};
 use crate::saturation::Saturation;
 use crate::stepper::Stepper;
@@ -11,6 +10,7 @@ use crate::time::impact_to_way_out;
 use crate::turning::rebound;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
+use restitution::End;
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use std::sync::Mutex;
@@ -163,21 +163,21 @@ impl Collision {
 
     /// Follows the whole motion.
     fn integrate(&self, u: &Ball, prec: u32) -> Result<Ball, DirectError> {
-        let field = Field::new(&self.law, u, prec);
-        let mut stepper = Stepper::new(field.wanted_slope());
-        let rebounding = match impact_to_way_out(&field, self.end) {
+        let equation = Equation::new(&self.law, u, prec);
+        let mut stepper = Stepper::new(equation.wanted_slope());
+        let rebounding = match impact_to_way_out(&equation, self.end) {
             Some(point) => {
                 stepper.start_with(0.15 * point.z.to_f64());
                 point
             }
             None => {
-                let compressed = compress(&field, &mut stepper)?;
-                rebound(&field, &mut stepper, &compressed)?
+                let compressed = compress(&equation, &mut stepper)?;
+                rebound(&equation, &mut stepper, &compressed)?
             }
         };
         match self.end {
-            End::ZeroCompression => to_zero_compression(&field, &mut stepper, rebounding),
-            End::ZeroForce => to_zero_force(&field, &mut stepper, rebounding),
+            End::ZeroCompression => to_zero_compression(&equation, &mut stepper, rebounding),
+            End::ZeroForce => to_zero_force(&equation, &mut stepper, rebounding),
         }
     }
 

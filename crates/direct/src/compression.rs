@@ -1,7 +1,7 @@
 //! From impact to slow compression, in the coordinate `z`.
 
+use crate::equation::Equation;
 use crate::error::DirectError;
-use crate::field::Field;
 use crate::fixed::{BOUND_BITS, upper_bound, zero};
 use crate::phase_arc::{PhaseArc, PhasePoint};
 use crate::stepper::Stepper;
@@ -14,45 +14,45 @@ use rug::Float;
 const SLOW: f64 = 0.75;
 
 /// From impact until the speed has fallen to [`SLOW`].
-pub(crate) fn compress(field: &Field, stepper: &mut Stepper) -> Result<PhasePoint, DirectError> {
-    let mut point = impact(field);
-    let u = field.u.to_f64();
-    let b = ratio(&field.coordinate.damping);
-    let reach = (b / (u * ratio(&field.coordinate.q)).max(1e-300)).powf(1.0 / b).min(1.0);
+pub(crate) fn compress(equation: &Equation, stepper: &mut Stepper) -> Result<PhasePoint, DirectError> {
+    let mut point = impact(equation);
+    let u = equation.u.to_f64();
+    let b = ratio(&equation.coordinate.damping);
+    let reach = (b / (u * ratio(&equation.coordinate.q)).max(1e-300)).powf(1.0 / b).min(1.0);
     stepper.start_with(if point.z.is_zero() { 0.25 * reach } else { 0.2 * logarithm(&point.z).abs() });
     while point.v > SLOW {
         point = stepper.step(f64::INFINITY, |length| {
-            let end = field.coordinate.advance(&point.z, length);
-            PhaseArc::follow(field, &point, &end).map(|arc| (arc.reached, arc.slope))
+            let end = equation.coordinate.advance(&point.z, length);
+            PhaseArc::follow(equation, &point, &end).map(|arc| (arc.reached, arc.slope))
         })?;
     }
     Ok(point)
 }
 
 /// The start: `z = 0` where the phase plane is analytic there, else a point close to it (Prop. 4).
-fn impact(field: &Field) -> PhasePoint {
-    let one = Float::with_val(field.prec, 1);
-    if field.coordinate.crosses_zero() {
-        return PhasePoint { z: Float::new(field.prec), v: one, energy: zero() };
+fn impact(equation: &Equation) -> PhasePoint {
+    let one = Float::with_val(equation.prec, 1);
+    if equation.coordinate.crosses_zero() {
+        return PhasePoint { z: Float::new(equation.prec), v: one, energy: zero() };
     }
-    let z = near_zero(field);
+    let z = near_zero(equation);
     let ball = Ball::exact(z.clone());
-    let c = &field.coordinate;
-    let (q, front) = (field.rational(&c.q), field.rational(&c.q) * &field.u);
-    let fallen = q * ball.pow(&c.elastic) / field.rational(&c.elastic) + front * ball;
+    let c = &equation.coordinate;
+    let (q, front) = (equation.rational(&c.q), equation.rational(&c.q) * &equation.u);
+    let fallen = q * ball.pow(&c.elastic) / equation.rational(&c.elastic) + front * ball;
     let v = Ball::one() - &fallen;
-    let energy = upper_bound(&first_order_defect(field, &z, &fallen))
+    let energy = upper_bound(&first_order_defect(equation, &z, &fallen))
         + upper_bound(&(Ball::exact(v.rad().clone()).with_prec(BOUND_BITS).shifted(2)));
-    PhasePoint { z, v: Float::with_val(field.prec, v.mid()), energy: upper_bound(&energy) }
+    PhasePoint { z, v: Float::with_val(equation.prec, v.mid()), energy: upper_bound(&energy) }
 }
 
 /// A coordinate so small that the neglected part of `v` is below the working precision.
 ///
 /// The neglected part of `v^2` is about `z^A` times what has fallen, `z^min(A,B)`.
-pub(crate) fn near_zero(field: &Field) -> Float {
-    let c = &field.coordinate;
-    let bits = f64::from(field.prec) / ratio(&(&c.elastic + c.elastic.clone().min(c.damping.clone())));
-    two_to_the(-bits, field.prec)
+pub(crate) fn near_zero(equation: &Equation) -> Float {
+    let c = &equation.coordinate;
+    let bits = f64::from(equation.prec) / ratio(&(&c.elastic + c.elastic.clone().min(c.damping.clone())));
+    two_to_the(-bits, equation.prec)
 }
 
 /// `2^exponent`, about, for any exponent.
@@ -66,10 +66,10 @@ pub(crate) fn logarithm(z: &Float) -> f64 {
 }
 
 /// `2 Int_0^z q z^(A-1) (fallen speed) dz`, a bound of the energy's error of the first-order solution.
-pub(crate) fn first_order_defect(field: &Field, z: &Float, fallen: &Ball) -> Ball {
-    let c = &field.coordinate;
-    let z = Ball::exact(z.clone()).with_prec(field.prec);
-    (field.rational(&(&c.q / &c.elastic)) * z.pow(&c.elastic) * fallen.abs()).shifted(1)
+pub(crate) fn first_order_defect(equation: &Equation, z: &Float, fallen: &Ball) -> Ball {
+    let c = &equation.coordinate;
+    let z = Ball::exact(z.clone()).with_prec(equation.prec);
+    (equation.rational(&(&c.q / &c.elastic)) * z.pow(&c.elastic) * fallen.abs()).shifted(1)
 }
 
 pub(crate) fn ratio(q: &BigRational) -> f64 {

@@ -1,7 +1,7 @@
 //! Laws of constant restitution near critical damping, where the exit speed is too small to be integrated.
 
+use crate::equation::shown;
 use crate::error::DirectError;
-use crate::field::shown;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use restitution_law::ForceLaw;

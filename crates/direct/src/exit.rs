@@ -1,8 +1,8 @@
 //! The way out, in the coordinate `z`: to zero compression or to the zero of the force.
 
 use crate::compression::{first_order_defect, near_zero, ratio, two_to_the};
+use crate::equation::Equation;
 use crate::error::DirectError;
-use crate::field::Field;
 use crate::fixed::upper_bound;
 use crate::overdamping::traps;
 use crate::phase_arc::{PhaseArc, PhasePoint, velocity_near};
@@ -18,19 +18,20 @@ use rug::Float;
 ///
 /// [`DirectError::Overdamped`] if the motion is proved to come to rest before.
 pub(crate) fn to_zero_compression(
-    field: &Field,
+    equation: &Equation,
     stepper: &mut Stepper,
     start: PhasePoint,
 ) -> Result<Ball, DirectError> {
-    let last = if field.coordinate.crosses_zero() { Float::new(field.prec) } else { near_zero(field) };
+    let last =
+        if equation.coordinate.crosses_zero() { Float::new(equation.prec) } else { near_zero(equation) };
     let mut point = start;
     while point.z > last {
-        point = arc_outward(field, stepper, &point, &last)?.reached;
-        if traps(field, &point) {
-            return Err(field.overdamped());
+        point = arc_outward(equation, stepper, &point, &last)?.reached;
+        if traps(equation, &point) {
+            return Err(equation.overdamped());
         }
     }
-    Ok(if last.is_zero() { point.velocity().abs() } else { across_branch(field, &point) })
+    Ok(if last.is_zero() { point.velocity().abs() } else { across_branch(equation, &point) })
 }
 
 /// Follows the way out to the zero of the force and returns the speed there.
@@ -39,25 +40,25 @@ pub(crate) fn to_zero_compression(
 /// positive where the elastic energy that is left no longer counts. Until one of them succeeds it
 /// goes on; there always is a zero where `a > gamma` (docs/direct-integration.md, section 6).
 pub(crate) fn to_zero_force(
-    field: &Field,
+    equation: &Equation,
     stepper: &mut Stepper,
     start: PhasePoint,
 ) -> Result<Ball, DirectError> {
-    let settled = settled(field);
+    let settled = settled(equation);
     let mut point = start;
     loop {
-        if let Some(speed) = none_left(field, &point, &settled) {
+        if let Some(speed) = none_left(equation, &point, &settled) {
             return Ok(speed);
         }
         let last = if point.z > settled {
             settled.clone()
-        } else if field.coordinate.crosses_zero() {
-            Float::new(field.prec)
+        } else if equation.coordinate.crosses_zero() {
+            Float::new(equation.prec)
         } else {
-            Float::with_val(field.prec, &point.z / 2u32)
+            Float::with_val(equation.prec, &point.z / 2u32)
         };
-        let arc = arc_outward(field, stepper, &point, &last)?;
-        match locate(field, &arc) {
+        let arc = arc_outward(equation, stepper, &point, &last)?;
+        match locate(equation, &arc) {
             ForceZero::Passed(speed) => return Ok(speed),
             ForceZero::NotPassed | ForceZero::Undecided => point = arc.reached,
         }
@@ -65,25 +66,25 @@ pub(crate) fn to_zero_force(
 }
 
 /// A coordinate from which on the elastic energy, `2 q z^A/A` of `v^2`, is below the working precision.
-fn settled(field: &Field) -> Float {
-    two_to_the(-f64::from(field.prec + 2) / ratio(&field.coordinate.elastic), field.prec)
+fn settled(equation: &Equation) -> Float {
+    two_to_the(-f64::from(equation.prec + 2) / ratio(&equation.coordinate.elastic), equation.prec)
 }
 
 /// One arc towards `z = 0`, not beyond `last`.
 fn arc_outward(
-    field: &Field,
+    equation: &Equation,
     stepper: &mut Stepper,
     point: &PhasePoint,
     last: &Float,
 ) -> Result<PhaseArc, DirectError> {
-    let crosses = field.coordinate.crosses_zero();
+    let crosses = equation.coordinate.crosses_zero();
     let limit = if crosses { point.z.to_f64() } else { f64::INFINITY };
     stepper.step(limit, |length| {
-        let mut end = field.coordinate.advance(&point.z, -length);
+        let mut end = equation.coordinate.advance(&point.z, -length);
         if end < *last || (crosses && length >= limit) {
             end.clone_from(last);
         }
-        PhaseArc::follow(field, point, &end).map(|arc| {
+        PhaseArc::follow(equation, point, &end).map(|arc| {
             let slope = arc.slope;
             (arc, slope)
         })
@@ -95,11 +96,13 @@ fn arc_outward(
 /// ```text
 /// P(z) = c - q u z - (q/(A c)) z^A,    c < 0
 /// ```
-fn across_branch(field: &Field, point: &PhasePoint) -> Ball {
-    let c = &field.coordinate;
-    let z = Ball::exact(point.z.clone()).with_prec(field.prec);
-    let (damping, elastic) =
-        (field.rational(&c.q) * &field.u * &z, field.rational(&(&c.q / &c.elastic)) * z.pow(&c.elastic));
+fn across_branch(equation: &Equation, point: &PhasePoint) -> Ball {
+    let c = &equation.coordinate;
+    let z = Ball::exact(point.z.clone()).with_prec(equation.prec);
+    let (damping, elastic) = (
+        equation.rational(&c.q) * &equation.u * &z,
+        equation.rational(&(&c.q / &c.elastic)) * z.pow(&c.elastic),
+    );
     let v = Ball::exact(point.v.clone());
     let mut exit = &v + &damping;
     for _ in 0..4 {
@@ -107,6 +110,6 @@ fn across_branch(field: &Field, point: &PhasePoint) -> Ball {
     }
     let missed = (&exit - &damping - &elastic / &exit - &v).abs() * (v.abs() + Ball::one()).shifted(1);
     let fallen = &damping + (&elastic / &exit).abs();
-    let defect = first_order_defect(field, &point.z, &fallen) / exit.abs();
+    let defect = first_order_defect(equation, &point.z, &fallen) / exit.abs();
     velocity_near(&exit, &upper_bound(&(upper_bound(&missed) + upper_bound(&defect) + &point.energy))).abs()
 }

@@ -10,11 +10,11 @@ mod compression;
 mod coordinate;
 mod damping;
 mod dashpot;
-mod end;
 mod envelope;
+mod equation;
 mod error;
 mod exit;
-mod field;
+
 mod fixed;
 mod interpolant;
 mod interpolation;
@@ -36,9 +36,11 @@ mod zero_force;
 
 pub use collision::Collision;
 pub use damping::{Damping, EqualSpheres};
-pub use end::End;
 pub use error::DirectError;
 pub use interpolant::{Interpolant, Variable};
+/// One word for all crates, from the one that may depend on nothing; nothing else comes from there.
+#[doc(no_inline)]
+pub use restitution::End;
 pub use saturation::{saturation_radius, saturation_speed};
 
 /// The README's code runs as a documentation test.

@@ -1,4 +1,4 @@
-use crate::field::Field;
+use crate::equation::Equation;
 use crate::phase_arc::PhasePoint;
 use restitution_real::Ball;
 
@@ -12,15 +12,15 @@ use restitution_real::Ball;
 ///
 /// which is easiest to meet at `c = q u z^(2B-A)/(2 (A-B))`. A motion below such a curve stays below
 /// it: its speed goes to zero with the compression (docs/direct-integration.md, Prop. 7).
-pub(crate) fn traps(field: &Field, point: &PhasePoint) -> bool {
-    let c = &field.coordinate;
+pub(crate) fn traps(equation: &Equation, point: &PhasePoint) -> bool {
+    let c = &equation.coordinate;
     let twice = &c.damping + &c.damping;
     if !c.has_zero_force() || c.elastic < twice || point.z.is_zero() {
         return false;
     }
-    let (z, speed) = (Ball::exact(point.z.clone()).with_prec(field.prec), point.velocity().abs());
-    let rise = field.rational(&(c.force_power() / &c.q)) * z.pow(&(&c.elastic - twice));
-    let widest = &field.u / rise.shifted(1);
-    let barred = (&field.u * &field.u - rise.shifted(2)).lower() >= 0;
+    let (z, speed) = (Ball::exact(point.z.clone()).with_prec(equation.prec), point.velocity().abs());
+    let rise = equation.rational(&(c.force_power() / &c.q)) * z.pow(&(&c.elastic - twice));
+    let widest = &equation.u / rise.shifted(1);
+    let barred = (&equation.u * &equation.u - rise.shifted(2)).lower() >= 0;
     barred && (widest * z.pow(&c.force_power()) - speed).lower() >= 0
 }

@@ -1,7 +1,7 @@
 //! One Taylor step of the phase plane, `v` as a function of `z`.
 
 use crate::envelope::{Envelope, upper_half};
-use crate::field::Field;
+use crate::equation::Equation;
 use crate::fixed::{
     BOUND_BITS, from_fixed, lower_bound, power_of_two, size, to_fixed, unit, upper_bound, zero,
 };
@@ -63,10 +63,10 @@ pub(crate) struct PhaseArc {
 
 impl PhaseArc {
     /// Follows the motion from `from` to the coordinate `end`; `None` if the step is too long to prove.
-    pub(crate) fn follow(field: &Field, from: &PhasePoint, end: &Float) -> Option<Self> {
-        let (bits, order) = (field.prec, field.order);
+    pub(crate) fn follow(equation: &Equation, from: &PhasePoint, end: &Float) -> Option<Self> {
+        let (bits, order) = (equation.prec, equation.order);
         let scale = i64::from(from.v.get_exp()?);
-        let sides = Sides::expand(field, &from.z, end, scale)?;
+        let sides = Sides::expand(equation, &from.z, end, scale)?;
         let start =
             to_fixed(&Ball::exact(from.v.clone()).shifted(i32::try_from(-scale).ok()?), bits, &mut zero());
         let coefficients = taylor(&sides, start, order, bits);
@@ -117,20 +117,20 @@ impl PhaseArc {
     }
 
     /// The coordinate at the part `theta` of the step.
-    pub(crate) fn coordinate(&self, field: &Field, theta: &Ball) -> Ball {
-        let exact = |z: &Float| Ball::exact(z.clone()).with_prec(field.prec);
+    pub(crate) fn coordinate(&self, equation: &Equation, theta: &Ball) -> Ball {
+        let exact = |z: &Float| Ball::exact(z.clone()).with_prec(equation.prec);
         let (start, end) = (exact(&self.start), exact(&self.end));
-        if field.coordinate.crosses_zero() {
+        if equation.coordinate.crosses_zero() {
             return &start + (end - &start) * theta;
         }
         &start * ((end / &start).ln() * theta).exp()
     }
 
     /// `dz/dtheta` where the coordinate is `z`.
-    pub(crate) fn pace(&self, field: &Field, z: &Ball) -> Ball {
-        let exact = |z: &Float| Ball::exact(z.clone()).with_prec(field.prec);
+    pub(crate) fn pace(&self, equation: &Equation, z: &Ball) -> Ball {
+        let exact = |z: &Float| Ball::exact(z.clone()).with_prec(equation.prec);
         let (start, end) = (exact(&self.start), exact(&self.end));
-        if field.coordinate.crosses_zero() { end - start } else { (end / start).ln() * z }
+        if equation.coordinate.crosses_zero() { end - start } else { (end / start).ln() * z }
     }
 
     /// The true velocity at the part `theta` of the step.

@@ -1,6 +1,6 @@
 //! Both sides of the phase plane's equation as polynomials on one step.
 
-use crate::field::Field;
+use crate::equation::Equation;
 use crate::fixed::{BOUND_BITS, lower_bound, size, to_fixed, upper_bound, zero};
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
@@ -23,22 +23,22 @@ impl Sides {
     ///
     /// The way is `z = z_0 + (z_1 - z_0) theta` where the phase plane is analytic at zero, else
     /// `z = z_0 (z_1/z_0)^theta`, for which the branch point lies at infinity.
-    pub(crate) fn expand(field: &Field, z0: &Float, z1: &Float, scale: i64) -> Option<Self> {
-        let c = &field.coordinate;
-        let exact = |z: &Float| Ball::exact(z.clone()).with_prec(field.prec);
-        let way = Way::between(field, z0, z1);
+    pub(crate) fn expand(equation: &Equation, z0: &Float, z1: &Float, scale: i64) -> Option<Self> {
+        let c = &equation.coordinate;
+        let exact = |z: &Float| Ball::exact(z.clone()).with_prec(equation.prec);
+        let way = Way::between(equation, z0, z1);
         let shift = |n: i64| i32::try_from(n).ok();
-        let q = field.rational(&c.q);
-        let elastic = way.expand(&c.elastic, field)?.times(&q.shifted(shift(-2 * scale)?));
-        let damping = way.expand(&c.damping, field)?.times(&(q * &field.u).shifted(shift(-scale)?));
+        let q = equation.rational(&c.q);
+        let elastic = way.expand(&c.elastic, equation)?.times(&q.shifted(shift(-2 * scale)?));
+        let damping = way.expand(&c.damping, equation)?.times(&(q * &equation.u).shifted(shift(-scale)?));
         let (mut elastic_error, mut damping_error) = (elastic.tail, damping.tail);
         let fix = |balls: &[Ball], error: &mut Ball| -> Vec<Integer> {
-            balls.iter().map(|b| to_fixed(b, field.prec, error)).collect()
+            balls.iter().map(|b| to_fixed(b, equation.prec, error)).collect()
         };
         let elastic = fix(&elastic.terms, &mut elastic_error);
         let damping: Vec<Integer> = fix(&damping.terms, &mut damping_error);
         let span = (exact(z1).pow(&c.damping) - exact(z0).pow(&c.damping)).abs();
-        let work = span * &field.u * field.rational(&(&c.q / &c.damping)).shifted(shift(1 - scale)?);
+        let work = span * &equation.u * equation.rational(&(&c.q / &c.damping)).shifted(shift(1 - scale)?);
         let friction = lower_bound(&work).with_prec(BOUND_BITS);
         let friction = if friction.is_positive() { friction } else { zero() };
         Some(Self { elastic, damping, elastic_error, damping_error, friction })
@@ -92,25 +92,25 @@ enum Way {
 }
 
 impl Way {
-    fn between(field: &Field, z0: &Float, z1: &Float) -> Self {
+    fn between(equation: &Equation, z0: &Float, z1: &Float) -> Self {
         let (from, to) = (Ball::exact(z0.clone()), Ball::exact(z1.clone()));
-        let start = from.with_prec(field.prec);
-        if field.coordinate.crosses_zero() {
-            return Self::Straight { start, length: (&to - &from).with_prec(field.prec) };
+        let start = from.with_prec(equation.prec);
+        if equation.coordinate.crosses_zero() {
+            return Self::Straight { start, length: (&to - &from).with_prec(equation.prec) };
         }
-        Self::Exponential { start, length: (to.with_prec(field.prec + 16) / from).ln() }
+        Self::Exponential { start, length: (to.with_prec(equation.prec + 16) / from).ln() }
     }
 
     /// The series of `z^(n-1) dz/dtheta`; `None` if it is too long.
-    fn expand(&self, n: &BigRational, field: &Field) -> Option<Terms> {
+    fn expand(&self, n: &BigRational, equation: &Equation) -> Option<Terms> {
         match self {
             Self::Straight { start, length } => {
                 let degree = (n - BigRational::one()).to_integer().to_i64()?;
                 Some(Terms { terms: binomial(degree, start, length), tail: zero() }.times(length))
             }
             Self::Exponential { start, length } => {
-                let rate = length * field.rational(n);
-                Some(exponential(&rate, field.order)?.times(&(start.pow(n) * length)))
+                let rate = length * equation.rational(n);
+                Some(exponential(&rate, equation.order)?.times(&(start.pow(n) * length)))
             }
         }
     }

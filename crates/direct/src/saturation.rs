@@ -1,9 +1,9 @@
 //! The exit speed of a collision at unlimited velocity.
 
 use crate::compression::ratio;
+use crate::equation::Equation;
 use crate::error::DirectError;
 use crate::exit::to_zero_compression;
-use crate::field::Field;
 use crate::fixed::{BOUND_BITS, upper_bound};
 use crate::phase_arc::PhasePoint;
 use crate::precision::{first_precision, proved};
@@ -47,21 +47,21 @@ impl Saturation {
         if !Self::exists(law) {
             return Err(DirectError::NoSaturation { law: Box::new(law.clone()) });
         }
-        let field = Field::new(law, &Ball::from_integer(1, prec), prec);
-        let start = far_coordinate(&field);
+        let equation = Equation::new(law, &Ball::from_integer(1, prec), prec);
+        let start = far_coordinate(&equation);
         if start.get_exp().is_none_or(|e| e > LARGEST_START) {
             return Err(DirectError::SlowSaturation {
                 law: Box::new(law.clone()),
                 exponent: Box::new(law.velocity_exponent()),
             });
         }
-        let point = funnel(&field, &start)?;
-        let mut stepper = Stepper::new(field.wanted_slope());
+        let point = funnel(&equation, &start)?;
+        let mut stepper = Stepper::new(equation.wanted_slope());
         stepper.start_with((0.2 * start.to_f64()).min(0.25));
-        let exit_speed = to_zero_compression(&field, &mut stepper, point)?;
+        let exit_speed = to_zero_compression(&equation, &mut stepper, point)?;
         Ok(Self {
             exit_speed,
-            needed: needed_speed(&field, &start),
+            needed: needed_speed(&equation, &start),
             power: BigRational::one() / law.velocity_exponent(),
         })
     }
@@ -85,30 +85,30 @@ const LARGEST_START: i32 = 32;
 /// A coordinate from which the contraction to zero exceeds the working precision.
 ///
 /// The contraction is about `exp(-q z^(2B-A)/(2B-A))` times a power; a wrong guess costs digits only.
-fn far_coordinate(field: &Field) -> Float {
-    let c = &field.coordinate;
+fn far_coordinate(equation: &Equation) -> Float {
+    let c = &equation.coordinate;
     let bend = ratio(&(&c.damping + &c.damping - &c.elastic));
-    let prec = f64::from(field.prec);
+    let prec = f64::from(equation.prec);
     let wanted = 1.12 * std::f64::consts::LN_2 * prec + 4.0 * prec.ln();
     let least = (16.0 * ratio(&c.force_power()) / ratio(&c.q)).powf(1.0 / bend);
-    Float::with_val(field.prec, (wanted * bend / ratio(&c.q)).powf(1.0 / bend).max(least).ceil())
+    Float::with_val(equation.prec, (wanted * bend / ratio(&c.q)).powf(1.0 / bend).max(least).ceil())
 }
 
 /// Returns the point whose energy covers all speeds between `z^(A-B)` and `(1 + 2 k) z^(A-B)`.
 ///
 /// Every trajectory stays below the upper curve where `k = (A-B) z^(A-2B)/q <= 1/8`.
-fn funnel(field: &Field, z: &Float) -> Result<PhasePoint, DirectError> {
-    let c = &field.coordinate;
-    let z_ball = Ball::exact(z.clone()).with_prec(field.prec);
+fn funnel(equation: &Equation, z: &Float) -> Result<PhasePoint, DirectError> {
+    let c = &equation.coordinate;
+    let z_ball = Ball::exact(z.clone()).with_prec(equation.prec);
     let force = z_ball.pow(&c.force_power());
-    let bend = field.rational(&(c.force_power() / &c.q)) * z_ball.pow(&(c.force_power() - &c.damping));
+    let bend = equation.rational(&(c.force_power() / &c.q)) * z_ball.pow(&(c.force_power() - &c.damping));
     if !(bend.shifted(3) - Ball::one()).is_negative() && !bend.shifted(3).contains(&Ball::one()) {
-        return Err(DirectError::NoSaturation { law: Box::new(field.law.clone()) });
+        return Err(DirectError::NoSaturation { law: Box::new(equation.law.clone()) });
     }
     let speed = &force * (Ball::one() + &bend);
     let widest = &force * (Ball::one() + bend.shifted(1));
     let energy = upper_bound(&(&widest * &widest - &force * &force));
-    Ok(PhasePoint { z: z.clone(), v: -Float::with_val(field.prec, speed.mid()), energy })
+    Ok(PhasePoint { z: z.clone(), v: -Float::with_val(equation.prec, speed.mid()), energy })
 }
 
 /// The impact speed from which on the trajectory has met the curve of zero force before `start`.
@@ -117,15 +117,16 @@ fn funnel(field: &Field, z: &Float) -> Result<PhasePoint, DirectError> {
 /// z_1 = (9/8) start,   1 - exp(-k s) = (8/9)^(A-B),   k = q z_1^(2B-A-1),   z_2 = z_1 + s
 /// needed = 2 q z_2^B/B + z_2^(A-B)
 /// ```
-fn needed_speed(field: &Field, start: &Float) -> Ball {
-    let c = &field.coordinate;
-    let eighths = Ball::from_ratio(9, 8, field.prec);
-    let first = Ball::exact(start.clone()).with_prec(field.prec) * &eighths;
-    let rate = field.rational(&c.q) * first.pow(&(&c.damping + &c.damping - &c.elastic - BigRational::one()));
+fn needed_speed(equation: &Equation, start: &Float) -> Ball {
+    let c = &equation.coordinate;
+    let eighths = Ball::from_ratio(9, 8, equation.prec);
+    let first = Ball::exact(start.clone()).with_prec(equation.prec) * &eighths;
+    let rate =
+        equation.rational(&c.q) * first.pow(&(&c.damping + &c.damping - &c.elastic - BigRational::one()));
     let missing = Ball::one() - eighths.pow(&-c.force_power());
     let turn = &first - missing.ln() / rate;
     let speed =
-        field.rational(&(&c.q / &c.damping)) * turn.pow(&c.damping) * Ball::from_integer(2, BOUND_BITS)
+        equation.rational(&(&c.q / &c.damping)) * turn.pow(&c.damping) * Ball::from_integer(2, BOUND_BITS)
             + turn.pow(&c.force_power());
     upper_bound(&speed)
 }

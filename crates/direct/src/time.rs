@@ -1,11 +1,11 @@
 //! From impact through the turning point to the way out, in few long steps of time.
 
-use crate::end::End;
-use crate::field::Field;
+use crate::equation::Equation;
 use crate::fixed::{BOUND_BITS, from_fixed, zero};
 use crate::phase_arc::PhasePoint;
 use crate::time_arc::{TimeArc, TimeStep};
 use crate::time_series::{FixedPoint, TimeChart};
+use restitution::End;
 use restitution_real::Ball;
 use rug::{Float, Integer};
 
@@ -23,25 +23,25 @@ const TRIALS: usize = 12;
 const STEPS: usize = 100;
 
 /// Follows the motion until it is well on its way out; `None` where this does not pay or is not proved.
-pub(crate) fn impact_to_way_out(field: &Field, end: End) -> Option<PhasePoint> {
-    if field.prec < LEAST_BITS || field.u.to_f64() > MOST_DAMPING {
+pub(crate) fn impact_to_way_out(equation: &Equation, end: End) -> Option<PhasePoint> {
+    if equation.prec < LEAST_BITS || equation.u.to_f64() > MOST_DAMPING {
         return None;
     }
-    let chart = TimeChart::of(field)?;
-    let trial = Field { prec: TRIAL_BITS, u: field.u.with_prec(TRIAL_BITS), ..field.clone() };
-    let one = Float::with_val(field.prec, 1);
-    let mut at = FixedPoint { z: Integer::new(), v: Integer::from(1) << field.prec };
-    let mut point = PhasePoint { z: Float::new(field.prec), v: one, energy: zero() };
-    let (mut length, mut farthest) = (1.0 / (1.0 + field.u.to_f64()), Float::new(BOUND_BITS));
+    let chart = TimeChart::of(equation)?;
+    let trial = Equation { prec: TRIAL_BITS, u: equation.u.with_prec(TRIAL_BITS), ..equation.clone() };
+    let one = Float::with_val(equation.prec, 1);
+    let mut at = FixedPoint { z: Integer::new(), v: Integer::from(1) << equation.prec };
+    let mut point = PhasePoint { z: Float::new(equation.prec), v: one, energy: zero() };
+    let (mut length, mut farthest) = (1.0 / (1.0 + equation.u.to_f64()), Float::new(BOUND_BITS));
     for _ in 0..STEPS {
-        let small = at.cut(field.prec - TRIAL_BITS);
+        let small = at.cut(equation.prec - TRIAL_BITS);
         match trial_length(&trial, &chart, &small, end, length) {
             Some(next) => length = next,
             None => return (point.v < 0).then_some(point),
         }
         let TimeStep { end: next, reached } = (0..3).find_map(|shorter| {
             let pace = chart.pace(length * 0.9f64.powi(shorter));
-            TimeArc::expand(field, &chart, &at, &pace, degree(field)).prove(&point)
+            TimeArc::expand(equation, &chart, &at, &pace, degree(equation)).prove(&point)
         })?;
         (at, point) = (next, reached);
         farthest = farthest.max(&Float::with_val(BOUND_BITS, &point.z));
@@ -52,15 +52,21 @@ pub(crate) fn impact_to_way_out(field: &Field, end: End) -> Option<PhasePoint> {
     None
 }
 
-fn degree(field: &Field) -> usize {
-    (f64::from(field.prec) * DEGREE_PER_BIT) as usize + 10
+fn degree(equation: &Equation) -> usize {
+    (f64::from(equation.prec) * DEGREE_PER_BIT) as usize + 10
 }
 
 /// The longest step whose coefficients fall fast enough and that ends before the contact does, found at few bits.
 ///
 /// `None` if there is none of a useful length.
-fn trial_length(field: &Field, chart: &TimeChart, from: &FixedPoint, end: End, first: f64) -> Option<f64> {
-    let bits = field.prec;
+fn trial_length(
+    equation: &Equation,
+    chart: &TimeChart,
+    from: &FixedPoint,
+    end: End,
+    first: f64,
+) -> Option<f64> {
+    let bits = equation.prec;
     let start = PhasePoint {
         z: from_fixed(&from.z, bits, bits + 32).mid().clone(),
         v: from_fixed(&from.v, bits, bits + 32).mid().clone(),
@@ -69,9 +75,9 @@ fn trial_length(field: &Field, chart: &TimeChart, from: &FixedPoint, end: End, f
     let wanted = 1.0 / DEGREE_PER_BIT + 0.1;
     let (mut length, mut best) = (first, None);
     for _ in 0..TRIALS {
-        let arc = TimeArc::expand(field, chart, from, &chart.pace(length), degree(field));
+        let arc = TimeArc::expand(equation, chart, from, &chart.pace(length), degree(equation));
         let factor = (arc.slope() - wanted).exp2();
-        let in_contact = still_in_contact(field, &arc.end(), end);
+        let in_contact = still_in_contact(equation, &arc.end(), end);
         if factor >= 0.99 && in_contact && arc.prove(&start).is_some() {
             best = Some(length);
             if factor < 1.06 {
@@ -88,13 +94,13 @@ fn trial_length(field: &Field, chart: &TimeChart, from: &FixedPoint, end: End, f
 }
 
 /// Whether contact goes on at a point: coordinate and, where it ends there, force are positive.
-fn still_in_contact(field: &Field, at: &FixedPoint, end: End) -> bool {
-    let ball = |n: &Integer| from_fixed(n, field.prec, BOUND_BITS);
+fn still_in_contact(equation: &Equation, at: &FixedPoint, end: End) -> bool {
+    let ball = |n: &Integer| from_fixed(n, equation.prec, BOUND_BITS);
     let (z, v) = (ball(&at.z), ball(&at.v));
     z.is_positive()
-        && (end == End::ZeroCompression || v.is_positive() || balance(field, &z, &v).is_positive())
+        && (end == End::ZeroCompression || v.is_positive() || balance(equation, &z, &v).is_positive())
 }
 
-fn balance(field: &Field, z: &Ball, v: &Ball) -> Ball {
-    field.balance(z, &v.abs())
+fn balance(equation: &Equation, z: &Ball, v: &Ball) -> Ball {
+    equation.balance(z, &v.abs())
 }

@@ -1,7 +1,7 @@
 //! One Taylor step in time, and the proof of it.
 
 use crate::envelope::{Envelope, beyond};
-use crate::field::Field;
+use crate::equation::Equation;
 use crate::fixed::{BOUND_BITS, from_fixed, lower_bound, size, unit, upper_bound, zero};
 use crate::phase_arc::{PhasePoint, lower_is_within};
 use crate::time_series::{FixedPoint, Pace, TimeChart, TimeSeries};
@@ -21,7 +21,7 @@ const PARTS: i64 = 16;
 
 /// A step's polynomials with what they leave over of the equation of motion.
 pub(crate) struct TimeArc<'a> {
-    field: &'a Field,
+    equation: &'a Equation,
     chart: &'a TimeChart,
     series: TimeSeries,
     length: Ball,
@@ -44,15 +44,16 @@ struct Defect {
 impl<'a> TimeArc<'a> {
     /// Expands the motion from a point.
     pub(crate) fn expand(
-        field: &'a Field,
+        equation: &'a Equation,
         chart: &'a TimeChart,
         from: &FixedPoint,
         pace: &Pace,
         order: usize,
     ) -> Self {
-        let series = TimeSeries::solve(chart, field, from, pace, order);
-        let ranges = ranges(&series.z, field.prec).into_iter().zip(ranges(&series.v, field.prec)).collect();
-        Self { field, chart, series, length: pace.length(), ranges }
+        let series = TimeSeries::solve(chart, equation, from, pace, order);
+        let ranges =
+            ranges(&series.z, equation.prec).into_iter().zip(ranges(&series.v, equation.prec)).collect();
+        Self { equation, chart, series, length: pace.length(), ranges }
     }
 
     /// The point at the end of the polynomials.
@@ -76,7 +77,7 @@ impl<'a> TimeArc<'a> {
     pub(crate) fn prove(&self, from: &PhasePoint) -> Option<TimeStep> {
         let defect = self.defect()?;
         let end = self.end();
-        let bits = self.field.prec;
+        let bits = self.equation.prec;
         let (z, v) = (from_fixed(&end.z, bits, bits + 32), from_fixed(&end.v, bits, bits + 32));
         let reached = if self.series.v[0] > 0 && end.v < 0 {
             self.turn(from, &defect, &z, &v)?
@@ -100,9 +101,9 @@ impl<'a> TimeArc<'a> {
 
     /// The point at the end of a step through the turning point.
     fn turn(&self, from: &PhasePoint, defect: &Defect, z: &Ball, v: &Ball) -> Option<PhasePoint> {
-        let start = enter(self.field, from)?;
+        let start = enter(self.equation, from)?;
         let (outer, inner) = (i64::from(self.chart.outer), i64::from(self.chart.inner));
-        let u = self.field.u.with_prec(BOUND_BITS);
+        let u = self.equation.u.with_prec(BOUND_BITS);
         let (mut force, mut lowest) = (Ball::one().with_prec(BOUND_BITS), None::<Ball>);
         for (z, v) in &self.ranges {
             let pull = z.powi(outer) * (z.powi(inner) + &u * v);
@@ -119,13 +120,13 @@ impl<'a> TimeArc<'a> {
                 |l| if (&l - &least).is_positive() { least.clone() } else { l },
             ));
         }
-        let y = lower_bound(&self.field.potential(lowest?.mid()));
+        let y = lower_bound(&self.equation.potential(lowest?.mid()));
         let grown = &defect.in_z * (&defect.pull + &defect.most_in_v / lower_bound(&self.length))
             + (self.fastest() + &defect.most_in_z) * &defect.in_v;
         let energy = upper_bound(&(&start.energy + grown));
         let stays = (y.shifted(ROOM) * &force - &energy).is_positive();
         let off = upper_bound(&(energy / force));
-        stays.then(|| return_to_phase(self.field, z.mid().clone(), v.mid().clone(), off)).flatten()
+        stays.then(|| return_to_phase(self.equation, z.mid().clone(), v.mid().clone(), off)).flatten()
     }
 
     fn fastest(&self) -> Ball {
@@ -135,7 +136,7 @@ impl<'a> TimeArc<'a> {
 
     /// What the polynomials leave over; `None` if too much was cut off.
     fn defect(&self) -> Option<Defect> {
-        let (bits, s) = (self.field.prec, &self.series);
+        let (bits, s) = (self.equation.prec, &self.series);
         let degrees = s.v.len();
         let last = degrees - 1;
         let norm = |c: &[Integer]| size(c, bits);
@@ -170,9 +171,11 @@ impl<'a> TimeArc<'a> {
         let left = upper_bound(&(left * &self.length));
         let many = &rounding * &n;
         Some(Defect {
-            in_z: upper_bound(&(&rounding * self.field.rational(&self.field.coordinate.q))),
+            in_z: upper_bound(&(&rounding * self.equation.rational(&self.equation.coordinate.q))),
             in_v: upper_bound(&(&rounding + &left)),
-            most_in_z: upper_bound(&(&many * self.field.rational(&self.field.coordinate.q) / &self.length)),
+            most_in_z: upper_bound(
+                &(&many * self.equation.rational(&self.equation.coordinate.q) / &self.length),
+            ),
             most_in_v: upper_bound(&(many + left)),
             pull: upper_bound(&((outer + in_outer) * (force + in_force))),
         })

@@ -1,6 +1,6 @@
 //! The Taylor coefficients of a step in time, in fixed point.
 
-use crate::field::Field;
+use crate::equation::Equation;
 use crate::fixed::to_fixed;
 use crate::online::Online;
 use num_traits::ToPrimitive;
@@ -25,8 +25,8 @@ pub(crate) struct TimeChart {
 
 impl TimeChart {
     /// The chart of a law; `None` where its powers are not low integers.
-    pub(crate) fn of(field: &Field) -> Option<Self> {
-        let c = &field.coordinate;
+    pub(crate) fn of(equation: &Equation) -> Option<Self> {
+        let c = &equation.coordinate;
         let integer = |n: &num_rational::BigRational| n.is_integer().then(|| n.to_u32()).flatten();
         let outer = integer(&c.damping)?.checked_sub(1)?;
         let inner = integer(&c.force_power())?;
@@ -92,14 +92,14 @@ impl TimeSeries {
     /// `z^2` is off by less than two units, as is `z^m f` before the division.
     pub(crate) fn solve(
         chart: &TimeChart,
-        field: &Field,
+        equation: &Equation,
         from: &FixedPoint,
         pace: &Pace,
         order: usize,
     ) -> Self {
-        let bits = field.prec;
+        let bits = equation.prec;
         let mut u_error = crate::fixed::zero();
-        let u = to_fixed(&field.u, bits, &mut u_error);
+        let u = to_fixed(&equation.u, bits, &mut u_error);
         let (mut s, mut squares, mut products) = (
             Self {
                 z: vec![from.z.clone()],

@@ -1,7 +1,7 @@
 //! One Taylor step around the turning point, the potential energy `y` as a function of `v`.
 
 use crate::envelope::{Envelope, upper_half};
-use crate::field::Field;
+use crate::equation::Equation;
 use crate::fixed::{BOUND_BITS, from_fixed, lower_bound, power_of_two, size, unit, upper_bound, zero};
 use crate::phase_arc::lower_is_within;
 use crate::turning_point::TurningPoint;
@@ -27,14 +27,14 @@ pub(crate) struct TurningStep {
 /// ```
 ///
 /// The remainder is that of docs/direct-integration.md, Prop. 3.
-pub(crate) fn follow(field: &Field, from: &TurningPoint, end: &Float) -> Option<TurningStep> {
-    let problem = Problem::pose(field, from, end)?;
-    let series = problem.solve(field)?;
+pub(crate) fn follow(equation: &Equation, from: &TurningPoint, end: &Float) -> Option<TurningStep> {
+    let problem = Problem::pose(equation, from, end)?;
+    let series = problem.solve(equation)?;
     let start_energy = upper_bound(&(from.energy.with_prec(BOUND_BITS) * power_of_two(-problem.scale)));
     let (range, defect, slope) =
-        ROOMS.iter().find_map(|&room| within(field, &problem, &series, &start_energy, room))?;
+        ROOMS.iter().find_map(|&room| within(equation, &problem, &series, &start_energy, room))?;
     let energy = upper_bound(&(start_energy * range.decay + defect));
-    let (y, rounding) = series.end(field.prec);
+    let (y, rounding) = series.end(equation.prec);
     let unscale = power_of_two(problem.scale);
     let reached = TurningPoint {
         v: end.clone(),
@@ -50,14 +50,14 @@ const ROOMS: [i32; 2] = [-6, -2];
 
 /// The bounds of a step, if they hold in a neighbourhood that the motion does not leave.
 fn within(
-    field: &Field,
+    equation: &Equation,
     problem: &Problem,
     series: &Series,
     start_energy: &Ball,
     room: i32,
 ) -> Option<(Range, Ball, f64)> {
-    let range = Range::of(field, problem, series, room)?;
-    let (defect, slope) = defect(field, problem, series, &range)?;
+    let range = Range::of(equation, problem, series, room)?;
+    let (defect, slope) = defect(equation, problem, series, &range)?;
     let along = upper_bound(&(start_energy + &defect));
     (&range.room * &range.least_force - along).is_positive().then_some((range, defect, slope))
 }
@@ -79,8 +79,8 @@ struct Range {
 }
 
 impl Range {
-    fn of(field: &Field, problem: &Problem, series: &Series, room: i32) -> Option<Self> {
-        let bits = field.prec;
+    fn of(equation: &Equation, problem: &Problem, series: &Series, room: i32) -> Option<Self> {
+        let bits = equation.prec;
         let change = size(&series.y[1..], bits);
         let start = from_fixed(&series.y[0], bits, BOUND_BITS);
         let lowest = lower_bound(&(&start - &change));
@@ -88,7 +88,7 @@ impl Range {
             return None;
         }
         let room = lowest.shifted(room);
-        let c = exponent(field).abs();
+        let c = exponent(equation).abs();
         let bend = upper_bound(&((&start + &change) / &lowest).pow(&c));
         let wide = upper_bound(&((&start + &change + &room) / (&lowest - &room)).pow(&c));
         let ratio = from_fixed(&series.ratio[0], bits, BOUND_BITS);
@@ -117,8 +117,8 @@ impl Range {
 }
 
 /// `Int |defect|` of the step and the decay of its coefficients; `None` if too much was cut off.
-fn defect(field: &Field, problem: &Problem, series: &Series, range: &Range) -> Option<(Ball, f64)> {
-    let (bits, order) = (field.prec, field.order);
+fn defect(equation: &Equation, problem: &Problem, series: &Series, range: &Range) -> Option<(Ball, f64)> {
+    let (bits, order) = (equation.prec, equation.order);
     let slope = Envelope::tightest(&series.y, bits).slope.min(Envelope::tightest(&series.ratio, bits).slope);
     let in_y = Envelope::with_slope(&series.y, bits, slope);
     let in_ratio = Envelope::with_slope(&series.ratio, bits, slope);
@@ -138,7 +138,7 @@ fn defect(field: &Field, problem: &Problem, series: &Series, range: &Range) -> O
         unit(bits) * (&n * (start_force + Ball::from_integer(3, BOUND_BITS)) + &range.change + &one);
     let motion = rounding + &problem.right_error + tail.shifted(1) + last + unit(bits);
     // (ii) the distance of the computed K from the true power of the polynomial
-    let weight = &one + field.rational(&problem.one_minus_c).with_prec(BOUND_BITS);
+    let weight = &one + equation.rational(&problem.one_minus_c).with_prec(BOUND_BITS);
     let power = unit(bits) * n * (start + one) + tail * weight;
     let ratio_off = &range.bend * (&problem.ratio_error + power / &range.lowest);
     let total = motion + ratio_off.shifted(1) * &range.change;
@@ -147,8 +147,8 @@ fn defect(field: &Field, problem: &Problem, series: &Series, range: &Range) -> O
 }
 
 /// `c = (a - gamma)/(a + 1)`.
-fn exponent(field: &Field) -> BigRational {
-    (field.law.a() - field.law.gamma()) / field.law.elastic_step()
+fn exponent(equation: &Equation) -> BigRational {
+    (equation.law.a() - equation.law.gamma()) / equation.law.elastic_step()
 }
 
 fn positive(bound: Ball) -> Ball {

@@ -1,6 +1,6 @@
 //! Where a step around the turning point starts and ends.
 
-use crate::field::Field;
+use crate::equation::Equation;
 use restitution_real::Ball;
 use rug::Float;
 
@@ -16,7 +16,7 @@ pub(crate) struct TurningPoint {
 }
 
 /// Damping over elastic force per unit of velocity, `K = u x^(gamma-a)`, at potential energy `y`.
-pub(crate) fn friction_ratio(field: &Field, y: &Ball) -> Ball {
-    let power = -(field.law.a() - field.law.gamma()) / field.law.elastic_step();
-    &field.u * (y * field.rational(&field.law.elastic_step())).pow(&power)
+pub(crate) fn friction_ratio(equation: &Equation, y: &Ball) -> Ball {
+    let power = -(equation.law.a() - equation.law.gamma()) / equation.law.elastic_step();
+    &equation.u * (y * equation.rational(&equation.law.elastic_step())).pow(&power)
 }

@@ -1,6 +1,6 @@
 //! The Taylor coefficients of a step around the turning point, in fixed point.
 
-use crate::field::Field;
+use crate::equation::Equation;
 use crate::fixed::{exact_fixed, from_fixed, to_fixed, zero};
 use crate::online::Online;
 use crate::turning_point::{TurningPoint, friction_ratio};
@@ -31,8 +31,8 @@ pub(crate) struct Problem {
 
 impl Problem {
     /// Poses the step from a point to a velocity; `None` if it has no fixed-point form.
-    pub(crate) fn pose(field: &Field, from: &TurningPoint, end: &Float) -> Option<Self> {
-        let bits = field.prec;
+    pub(crate) fn pose(equation: &Equation, from: &TurningPoint, end: &Float) -> Option<Self> {
+        let bits = equation.prec;
         let exact = |x: &Float| Ball::exact(x.clone());
         let h = exact(&Float::with_val(2 * bits + 64, end - &from.v));
         let velocity_scale = i64::from(from.v.get_exp().unwrap_or(i32::MIN).max(h.mid().get_exp()?));
@@ -42,13 +42,13 @@ impl Problem {
         let mut right =
             |x: Ball| to_fixed(&(-(&h * x).with_prec(bits)).shifted(in_y), bits, &mut right_error);
         let right = [right(exact(&from.v)), right(h.clone())];
-        let ratio = friction_ratio(field, &exact(&from.y).with_prec(bits)).shifted(-in_v);
+        let ratio = friction_ratio(equation, &exact(&from.y).with_prec(bits)).shifted(-in_v);
         Some(Self {
             v: exact_fixed(&exact(&from.v).shifted(in_v), bits)?,
             h: exact_fixed(&h.shifted(in_v), bits)?,
             y: exact_fixed(&exact(&from.y).shifted(in_y), bits)?,
             ratio: to_fixed(&ratio, bits, &mut ratio_error),
-            one_minus_c: field.law.damping_step() / field.law.elastic_step(),
+            one_minus_c: equation.law.damping_step() / equation.law.elastic_step(),
             start_v: from.v.clone(),
             end_v: end.clone(),
             scale,
@@ -71,8 +71,8 @@ impl Problem {
     /// k y_k (1 + v_0 K_0) = right_(k-1) - h M_(k-2) - v_0 (M_(k-1) - k y_k K_0),   M = K y'
     /// y_0 K_k = (1-c) M_(k-1)/k - Sum_(i=1)^k y_i K_(k-i)
     /// ```
-    pub(crate) fn solve(&self, field: &Field) -> Option<Series> {
-        let (bits, order) = (field.prec, field.order);
+    pub(crate) fn solve(&self, equation: &Equation) -> Option<Series> {
+        let (bits, order) = (equation.prec, equation.order);
         let (top, bottom) = (rug_integer(self.one_minus_c.numer()), rug_integer(self.one_minus_c.denom()));
         let force = (Integer::from(1) << bits) + (Integer::from(&self.v * &self.ratio) >> bits);
         if force <= 0 {

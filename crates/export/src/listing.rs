@@ -46,6 +46,18 @@ pub(crate) fn u_at_g_star() -> Float {
 }
 
 impl CharacteristicVelocity {
+    /// From the characteristic velocity in m/s.
+    ///
+    /// # Errors
+    ///
+    /// [`ExportError::Velocity`] if that is not a positive number.
+    pub fn of(metres_per_second: f64, origin: String) -> Result<Self, ExportError> {
+        if !metres_per_second.is_normal() || metres_per_second < 0.0 {
+            return Err(ExportError::Velocity);
+        }
+        Ok(Self { metres_per_second, origin })
+    }
+
     /// From `u` at a velocity of 1 m/s, as `u = 0.866… (g/g*)^(1/5)`.
     ///
     /// # Errors
@@ -53,11 +65,7 @@ impl CharacteristicVelocity {
     /// [`ExportError::Velocity`] if that is not a positive number that an f64 holds.
     pub fn from_u(u_at_unit_velocity: &Float, origin: String) -> Result<Self, ExportError> {
         let ratio = u_at_g_star() / u_at_unit_velocity;
-        let metres_per_second = Float::with_val(PREC, ratio.pow(5u32)).to_f64();
-        if !metres_per_second.is_normal() || metres_per_second < 0.0 {
-            return Err(ExportError::Velocity);
-        }
-        Ok(Self { metres_per_second, origin })
+        Self::of(Float::with_val(PREC, ratio.pow(5u32)).to_f64(), origin)
     }
 }
 

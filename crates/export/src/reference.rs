@@ -79,7 +79,7 @@ impl Reference {
     pub fn up_to(end: End, last: f64) -> Result<Self, DirectError> {
         let law = ForceLaw::viscoelastic_spheres();
         let mut reference = Self { end, arcs: Vec::new(), factor: factor(end, &law)? };
-        let collision = Collision::new(&law, direct_end(end))?;
+        let collision = Collision::new(&law, end)?;
         let spans: &[(Shape, &[f64])] = match end {
             End::ZeroCompression => &[(Shape::Plain, &COMPRESSION_ARCS)],
             End::ZeroForce => &[(Shape::Plain, &FORCE_ARCS), (Shape::Tail, &TAIL_ARCS)],
@@ -249,11 +249,4 @@ fn factor(end: End, law: &ForceLaw) -> Result<Float, DirectError> {
         End::ZeroCompression => saturation_speed(law, DIGITS)?.mid().clone(),
         End::ZeroForce => (Float::with_val(PREC, 9) / 4u32).cbrt(),
     })
-}
-
-pub(crate) fn direct_end(end: End) -> restitution_direct::End {
-    match end {
-        End::ZeroCompression => restitution_direct::End::ZeroCompression,
-        End::ZeroForce => restitution_direct::End::ZeroForce,
-    }
 }

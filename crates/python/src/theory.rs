@@ -5,7 +5,7 @@ use crate::work::{self, Watch};
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 use pyo3::prelude::*;
-use restitution_direct::{Collision, End, saturation_radius, saturation_speed};
+use restitution_direct::{Collision, saturation_radius, saturation_speed};
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use restitution_series::{DelayedRecovery, Quantity, SeriesError, Trajectories, coefficients_watched};
@@ -113,11 +113,7 @@ pub fn epsilon_digits(
     loss: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Certified> {
-    let end = match crate::errors::end(end)? {
-        restitution::End::ZeroCompression => End::ZeroCompression,
-        restitution::End::ZeroForce => End::ZeroForce,
-    };
-    let collision = Collision::new(&self::law(law)?, end).map_err(value)?;
+    let collision = Collision::new(&self::law(law)?, crate::errors::end(end)?).map_err(value)?;
     let ball = work::run(py, None, progress, move |_| match loss {
         true => collision.one_minus_epsilon(&u, digits),
         false => collision.epsilon(&u, digits),

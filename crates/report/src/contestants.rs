@@ -145,7 +145,7 @@ fn others() -> [Contestant; 8] {
             many: move |u: &[f64], out: &mut [f64]| restitution::epsilon_batch(u, out, end),
         })
     };
-    let (inner, outer) = (restitution::End::ZeroCompression, restitution::End::ZeroForce);
+    let (inner, outer) = (End::ZeroCompression, End::ZeroForce);
     [
         Contestant::new(
             Approximate,
@@ -226,7 +226,7 @@ fn tiers() -> [Contestant; 6] {
 }
 
 fn tier<const ROWS: usize, const WIDTH: usize>(tier: &'static Tier<ROWS, WIDTH>) -> Contestant {
-    let forces = tier.end() == restitution::End::ZeroForce;
+    let forces = tier.end() == End::ZeroForce;
     let (end, place) =
         if forces { (End::ZeroForce, "zero force") } else { (End::ZeroCompression, "zero compression") };
     let kernel = WithSlices {

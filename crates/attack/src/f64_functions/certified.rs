@@ -19,10 +19,7 @@ const DIGITS: usize = 25;
 
 fn collision(end: End) -> &'static Collision {
     static COLLISIONS: [OnceLock<Collision>; 2] = [OnceLock::new(), OnceLock::new()];
-    let (slot, end) = match end {
-        End::ZeroCompression => (&COLLISIONS[0], restitution_direct::End::ZeroCompression),
-        End::ZeroForce => (&COLLISIONS[1], restitution_direct::End::ZeroForce),
-    };
+    let slot = &COLLISIONS[usize::from(end == End::ZeroForce)];
     slot.get_or_init(|| {
         Collision::new(&ForceLaw::viscoelastic_spheres(), end).expect("spheres end their contact either way")
     })

@@ -4,7 +4,7 @@ mod damping;
 mod lookup;
 mod refusals;
 
-use crate::args::{EndArgs, EndOfContact, LawArgs, count};
+use crate::args::{EndArgs, LawArgs, count};
 use crate::exact::Exact;
 use crate::list::{self, List};
 use crate::progress::Progress;
@@ -92,10 +92,7 @@ impl EpsilonArgs {
 
     fn integrated(&self) -> Result<(), CliError> {
         units::all_or_none(&list::flat(&self.velocity)).map_err(CliError::usage)?;
-        let end = match self.end.end {
-            EndOfContact::ZeroCompression => End::ZeroCompression,
-            EndOfContact::ZeroForce => End::ZeroForce,
-        };
+        let end = End::from(self.end.end);
         let collision = Collision::new(&self.law.law, end).map_err(usage)?;
         let points = self.points()?;
         let progress = Progress::steps("collisions", points.len() as u64);

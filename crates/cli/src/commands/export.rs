@@ -1,7 +1,7 @@
 //! `restitution export`: the evaluator as source code.
 
 use crate::CliError;
-use crate::args::{EndArgs, EndOfContact};
+use crate::args::EndArgs;
 use crate::commands::epsilon::DampingArgs;
 use crate::output::TargetArgs;
 use crate::progress;
@@ -152,10 +152,7 @@ impl ExportArgs {
     }
 
     fn reference(&self, last: f64) -> Result<Reference, CliError> {
-        let end = match self.end.end {
-            EndOfContact::ZeroCompression => End::ZeroCompression,
-            EndOfContact::ZeroForce => End::ZeroForce,
-        };
+        let end = End::from(self.end.end);
         Reference::up_to(end, last).map_err(CliError::failure)
     }
 }

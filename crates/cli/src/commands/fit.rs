@@ -167,10 +167,7 @@ impl FitArgs {
     }
 
     fn end(&self) -> End {
-        match self.end.unwrap_or_default() {
-            EndOfContact::ZeroCompression => End::ZeroCompression,
-            EndOfContact::ZeroForce => End::ZeroForce,
-        }
+        self.end.unwrap_or_default().into()
     }
 }
 

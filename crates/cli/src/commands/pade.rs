@@ -1,6 +1,5 @@
 //! `restitution pade`: approximants of any type, their constants and what they are good for.
 
-mod expansion;
 mod judgement;
 mod literature;
 mod map;
@@ -11,9 +10,9 @@ use crate::args::{EndArgs, LawArgs, count};
 use crate::exact::Exact;
 use crate::progress::Progress;
 use crate::{Cell, CliError, OutputArgs, Table, args};
-use expansion::{Expansion, Variable};
-use judgement::{Judged, Request, constants, judge, report};
+use judgement::report;
 use num_rational::BigRational;
+use restitution_approximate::{Expansion, Judged, Request, Variable, constants, judge, shown};
 use restitution_direct::End;
 use restitution_pade::{PadeError, PadeType};
 use std::path::PathBuf;
@@ -161,7 +160,7 @@ impl PadeArgs {
     }
 
     fn expansion(&self) -> Result<Expansion, CliError> {
-        Expansion::new(&self.law.law, self.end.end, self.variable)
+        Ok(Expansion::new(&self.law.law, self.end.end.into(), self.variable)?)
     }
 
     fn request(&self, asked: PadeType) -> Request {
@@ -233,7 +232,7 @@ fn continued_fraction(judged: &Judged, digits: usize) -> Result<Table, CliError>
     let links = fraction.links.into_iter().map(|link| (link.power, link.coefficient));
     for (k, (power, value)) in std::iter::once(constant).chain(links).enumerate() {
         let undecided = PadeError::Undecided { what: "the last digit of a link" };
-        let text = judgement::shown(&value, digits).ok_or(undecided)?;
+        let text = shown(&value, digits).ok_or(undecided)?;
         table.push(vec![k.into(), power.into(), Cell::Digits(text)]);
     }
     Ok(table)

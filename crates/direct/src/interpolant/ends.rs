@@ -2,10 +2,10 @@
 
 use super::jets::{Jets, quotient};
 use super::motion::{Leg, Motion};
-use crate::end::End;
 use crate::fixed::{BOUND_BITS, lower_bound, upper_bound};
 use num_rational::BigRational;
 use num_traits::One;
+use restitution::End;
 use restitution_real::Ball;
 use rug::Integer;
 

@@ -5,11 +5,11 @@ use super::defect::{Course, units};
 use super::jets::{Jets, Range, quotient};
 use crate::compression::ratio;
 use crate::coordinate::Coordinate;
-use crate::end::End;
 use crate::error::DirectError;
 use crate::fixed::{BOUND_BITS, lower_bound, upper_bound, zero};
 use crate::stepper::Stepper;
 use num_rational::BigRational;
+use restitution::End;
 use restitution_real::Ball;
 use rug::Integer;
 

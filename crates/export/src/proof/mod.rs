@@ -9,7 +9,6 @@ mod polynomial;
 mod rounded;
 mod tiers;
 
-use crate::reference::direct_end;
 use polynomial::{PREC, Polynomial};
 use restitution::End;
 use restitution::forms::{self, Form, Number};
@@ -240,5 +239,5 @@ fn near(interpolant: &Interpolant, low: f64, high: f64, end: End) -> Proof {
 }
 
 fn collision(end: End) -> Result<Collision, DirectError> {
-    Collision::new(&ForceLaw::viscoelastic_spheres(), direct_end(end))
+    Collision::new(&ForceLaw::viscoelastic_spheres(), end)
 }

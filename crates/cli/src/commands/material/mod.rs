@@ -162,8 +162,5 @@ impl MaterialArgs {
 }
 
 fn end_of(end: EndOfContact) -> End {
-    match end {
-        EndOfContact::ZeroCompression => End::ZeroCompression,
-        EndOfContact::ZeroForce => End::ZeroForce,
-    }
+    end.into()
 }

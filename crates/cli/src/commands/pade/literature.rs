@@ -1,10 +1,9 @@
 //! Published constants beside the regenerated ones.
 
-use super::expansion::{Expansion, Variable};
-use super::judgement::{Constant, Request, constants, judge};
-use crate::args::EndOfContact;
 use crate::{Cell, CliError, Table};
 use num_rational::BigRational;
+use restitution_approximate::{Constant, Expansion, Request, Variable, constants, judge};
+use restitution_direct::End;
 use restitution_law::ForceLaw;
 use restitution_pade::{PadeType, RationalFunction, table_one, with_precision};
 use restitution_real::{Ball, Balls, Rationals};
@@ -26,8 +25,8 @@ pub fn table(digits: usize) -> Result<Table, CliError> {
     let mut table = Table::new(&["work", "approximant", "part", "k", "printed", "value"])
         .titled("Published Padé constants and what they should be");
     let spheres = ForceLaw::viscoelastic_spheres();
-    let in_s = Expansion::new(&spheres, EndOfContact::ZeroCompression, Some(Variable::S))?;
-    let in_root = Expansion::new(&spheres, EndOfContact::ZeroForce, Some(Variable::SqrtU))?;
+    let in_s = Expansion::new(&spheres, End::ZeroCompression, Some(Variable::S))?;
+    let in_root = Expansion::new(&spheres, End::ZeroForce, Some(Variable::SqrtU))?;
     let nothing: [&[&str]; 2] = [&[], &[]];
     let paper = "[RPBS1999] Table I";
     push(&mut table, paper, "[1/4] in s, printed a_3, a_4, a_5 = 0", TABLE_ONE, as_printed(digits)?);

@@ -1,11 +1,11 @@
 //! A map of the Padé table.
 
-use super::expansion::Expansion;
-use super::judgement::{
-    Request, decimal, error_bound, error_on_range, first_bits, nearest, range_with_values,
-};
+use super::judgement::range_with_values;
 use crate::progress::Progress;
 use crate::{Cell, CliError, Table};
+use restitution_approximate::{
+    ApproximateError, Expansion, Request, decimal, error_bound, error_on_range, first_bits, nearest,
+};
 use restitution_pade::{Approximant, Interval, PadeError, PadeType, Verdict, verdict, with_precision};
 use restitution_real::{Ball, Balls};
 use std::collections::HashMap;
@@ -72,7 +72,7 @@ fn find(
     request: &Request,
     asked: PadeType,
     series: &mut HashMap<u32, Vec<Ball>>,
-) -> Result<Result<Found, CliError>, PadeError> {
+) -> Result<Result<Found, ApproximateError>, PadeError> {
     let first = first_bits(request.asked, 20);
     with_precision(first, first * ATTEMPTS, |bits| {
         let known = match series.get(&bits) {

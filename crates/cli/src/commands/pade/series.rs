@@ -1,10 +1,11 @@
 //! Approximants of a series from a file.
 
 use super::Form;
-use super::judgement::{say, shown_places};
+use super::judgement::say;
 use crate::exact::Exact;
 use crate::{Cell, CliError, Table};
 use num_rational::BigRational;
+use restitution_approximate::shown_places;
 use restitution_pade::{Contact, PadeError, PadeType, approximant, verdict};
 use restitution_real::{Ball, Rationals};
 use std::io::Read;

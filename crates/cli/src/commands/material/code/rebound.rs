@@ -6,7 +6,6 @@ use crate::commands::material::end_of;
 use crate::progress;
 use restitution::{End, characteristic_velocity_from_loss};
 use restitution_export::{Beyond, CharacteristicVelocity, Language, Listing, Reference};
-use rug::Float;
 
 /// The largest relative error of the function.
 const TOLERANCE: f64 = 1e-9;
@@ -30,8 +29,7 @@ pub(super) fn lines(request: &Request) -> Result<String, CliError> {
         let asked =
             restitution_export::Request { tolerance: TOLERANCE, range: (0.0, 8.0), beyond: Beyond::Law };
         let reference = Reference::up_to(end, asked.reach()).map_err(CliError::failure)?;
-        let u = restitution::Restitution::from_g_star(g_star, end).u(1.0);
-        let velocity = CharacteristicVelocity::from_u(&Float::with_val(64, u), origin)?;
+        let velocity = CharacteristicVelocity::of(g_star, origin)?;
         let listing = Listing::new(&reference, asked)?.with_velocity(velocity);
         let source = Language::of("python")?.write(&listing, "restitution")?;
         Ok(source.replacen(MAIN, &format!("{CALLBACK}{MAIN}"), 1))

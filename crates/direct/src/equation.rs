@@ -5,9 +5,9 @@ use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use rug::Float;
 
-/// One collision's right side at one working precision.
+/// The equation of motion of one collision, at one working precision.
 #[derive(Clone, Debug)]
-pub(crate) struct Field {
+pub(crate) struct Equation {
     pub(crate) law: ForceLaw,
     pub(crate) coordinate: Coordinate,
     /// The damping `u >= 0`.
@@ -18,7 +18,7 @@ pub(crate) struct Field {
     pub(crate) order: usize,
 }
 
-impl Field {
+impl Equation {
     pub(crate) fn new(law: &ForceLaw, u: &Ball, prec: u32) -> Self {
         let coordinate = Coordinate::of(law);
         let order = (prec / 9 * 4 + 10) as usize;

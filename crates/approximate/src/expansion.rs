@@ -1,7 +1,4 @@
-//! What is approximated: the restitution coefficient as a series in a variable, with certified values.
-
-use crate::CliError;
-use crate::args::EndOfContact;
+use crate::ApproximateError;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use restitution_direct::{Collision, DirectError, End, saturation_speed};
@@ -13,7 +10,8 @@ use std::collections::HashMap;
 use std::sync::Mutex;
 
 /// The variable that an approximant is written in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Variable {
     /// s = -C_1 u = (g/g*)^(1/5), the paper's.
     S,
@@ -39,7 +37,24 @@ const SAMPLE_DIGITS: usize = 28;
 /// Bits that hold such a value.
 const SAMPLE_BITS: u32 = 128;
 
-/// The restitution coefficient of one law with one end of contact, in one variable.
+/// The restitution coefficient of one law with one end of contact, as a series in one variable.
+///
+/// # Examples
+///
+/// ```
+/// use restitution_approximate::{ApproximateError, Expansion, Variable};
+/// use restitution_direct::End;
+/// use restitution_law::ForceLaw;
+///
+/// let spheres = ForceLaw::viscoelastic_spheres();
+/// let in_u = Expansion::new(&spheres, End::ZeroCompression, None)?;
+/// let series = in_u.coefficients(3, 80)?;
+/// assert_eq!(series[1].to_digits(10).as_deref(), Some("-1.153448858"));
+///
+/// let no_series = Expansion::new(&spheres, End::ZeroForce, Some(Variable::U));
+/// assert!(matches!(no_series, Err(ApproximateError::NoPowerSeries { .. })));
+/// # Ok::<(), ApproximateError>(())
+/// ```
 #[derive(Debug)]
 pub struct Expansion {
     law: ForceLaw,
@@ -49,21 +64,20 @@ pub struct Expansion {
 }
 
 impl Expansion {
-    /// Returns the expansion; without a variable the one that belongs to the end of contact.
-    pub fn new(law: &ForceLaw, end: EndOfContact, variable: Option<Variable>) -> Result<Self, CliError> {
-        let (end, variable) = match (end, variable) {
-            (EndOfContact::ZeroCompression, variable) => {
-                (End::ZeroCompression, variable.unwrap_or(Variable::U))
-            }
-            (EndOfContact::ZeroForce, None | Some(Variable::SqrtU)) => (End::ZeroForce, Variable::SqrtU),
-            (EndOfContact::ZeroForce, Some(variable)) => {
-                return Err(CliError::usage(format!(
-                    "with the end of contact at zero force there is no power series in {}: give --variable sqrt-u",
-                    variable.name()
-                )));
+    /// Returns the expansion; without a variable in the one that belongs to the end of contact.
+    ///
+    /// # Errors
+    ///
+    /// [`ApproximateError::NoPowerSeries`] in `s` or `u` at zero force, [`ApproximateError::Law`] for a law without that end.
+    pub fn new(law: &ForceLaw, end: End, variable: Option<Variable>) -> Result<Self, ApproximateError> {
+        let variable = match (end, variable) {
+            (End::ZeroCompression, variable) => variable.unwrap_or(Variable::U),
+            (End::ZeroForce, None | Some(Variable::SqrtU)) => Variable::SqrtU,
+            (End::ZeroForce, Some(variable)) => {
+                return Err(ApproximateError::NoPowerSeries { variable: variable.name() });
             }
         };
-        let collision = Collision::new(law, end).map_err(CliError::usage)?;
+        let collision = Collision::new(law, end).map_err(ApproximateError::Law)?;
         Ok(Self { law: law.clone(), variable, collision, samples: Mutex::default() })
     }
 
@@ -81,7 +95,11 @@ impl Expansion {
     ///
     /// What is known exactly is exact: the constant term 1, zeros between powers, and in `s` the
     /// linear term.
-    pub fn coefficients(&self, count: usize, bits: u32) -> Result<Vec<Ball>, CliError> {
+    ///
+    /// # Errors
+    ///
+    /// [`ApproximateError::Coefficients`], and at zero force [`ApproximateError::OtherRoot`].
+    pub fn coefficients(&self, count: usize, bits: u32) -> Result<Vec<Ball>, ApproximateError> {
         let digits = (f64::from(bits) * std::f64::consts::LOG10_2).ceil() as usize;
         let mut series = match (self.end(), self.variable) {
             (End::ZeroForce, _) => self.half_powers(count, digits)?,
@@ -100,9 +118,10 @@ impl Expansion {
         Ok(series)
     }
 
-    fn known(&self, quantity: Quantity, count: usize, digits: usize) -> Result<Vec<Ball>, CliError> {
+    fn known(&self, quantity: Quantity, count: usize, digits: usize) -> Result<Vec<Ball>, ApproximateError> {
         let order = count.saturating_sub(1).max(1);
-        let mut values = coefficients(quantity, &self.law, order, digits).map_err(CliError::failure)?;
+        let mut values =
+            coefficients(quantity, &self.law, order, digits).map_err(ApproximateError::Coefficients)?;
         values.truncate(count);
         Ok(values)
     }
@@ -117,7 +136,11 @@ impl Expansion {
     ///
     /// so that (spheres) the approximants `[0/10]`, `[1/9]`, `[1/10]` in `u` are all `[0/9]`. No enclosure can
     /// show that. `None` where the series is shorter or `1/p` is not whole.
-    pub fn reciprocal(&self, series: &[Ball], bits: u32) -> Result<Option<Vec<Ball>>, CliError> {
+    ///
+    /// # Errors
+    ///
+    /// [`ApproximateError::Pade`].
+    pub fn reciprocal(&self, series: &[Ball], bits: u32) -> Result<Option<Vec<Ball>>, ApproximateError> {
         let power = self.law.velocity_exponent();
         let whole = power.is_positive() && power.numer().is_one() && self.end() == End::ZeroCompression;
         let steps = if self.variable == Variable::SqrtU { 4 } else { 2 };
@@ -133,13 +156,17 @@ impl Expansion {
     /// The largest `u <= high`, to about three digits, at which the bodies separate.
     ///
     /// For laws with `p <= 0` there is a critical damping beyond which they do not.
-    pub fn reach(&self, high: &BigRational) -> Result<BigRational, CliError> {
+    ///
+    /// # Errors
+    ///
+    /// [`ApproximateError::Value`].
+    pub fn reach(&self, high: &BigRational) -> Result<BigRational, ApproximateError> {
         const HALVINGS: usize = 10;
         const DIGITS: usize = 5;
         let has_value = |u: &BigRational| match self.collision.epsilon(u, DIGITS) {
             Ok(_) => Ok(true),
             Err(DirectError::Overdamped { .. } | DirectError::Vanishing { .. }) => Ok(false),
-            Err(error) => Err(CliError::failure(error)),
+            Err(error) => Err(ApproximateError::Value(error)),
         };
         if self.law.velocity_exponent().is_positive() || has_value(high)? {
             return Ok(high.clone());
@@ -153,20 +180,21 @@ impl Expansion {
     }
 
     /// `h_k` of `eps = sum h_k u^(k/2)`.
-    fn half_powers(&self, count: usize, digits: usize) -> Result<Vec<Ball>, CliError> {
-        let end = DelayedRecovery::new(&self.law).map_err(CliError::usage)?;
+    fn half_powers(&self, count: usize, digits: usize) -> Result<Vec<Ball>, ApproximateError> {
+        let end = DelayedRecovery::new(&self.law).map_err(ApproximateError::NoDelayedRecovery)?;
         match *end.damping_exponent().denom() {
             2 => self.known(Quantity::DelayedRecovery, count, digits),
             1 => Ok(spread(self.known(Quantity::DelayedRecovery, count.div_ceil(2), digits)?, count)),
-            steps => Err(CliError::usage(format!(
-                "with the law {} and the end of contact at zero force eps expands in powers of u^(1/{steps}), not of sqrt(u): choose another law or end the contact at zero compression",
-                self.law
-            ))),
+            steps => Err(ApproximateError::OtherRoot { law: Box::new(self.law.clone()), steps }),
         }
     }
 
     /// The first `conditions` terms of the expansion at infinity, `eps = (exit speed)/u^(1/p)` and nothing more.
-    pub fn at_infinity(&self, conditions: usize, bits: u32) -> Result<AtInfinity<Balls>, CliError> {
+    ///
+    /// # Errors
+    ///
+    /// [`ApproximateError::Law`], [`ApproximateError::NoWholePower`], [`ApproximateError::NoWholePowerAtZeroForce`].
+    pub fn at_infinity(&self, conditions: usize, bits: u32) -> Result<AtInfinity<Balls>, ApproximateError> {
         let digits = (f64::from(bits) * std::f64::consts::LOG10_2).ceil() as usize;
         let mut leading = self.saturation(digits)?;
         let decay = self.decay()?;
@@ -178,38 +206,47 @@ impl Expansion {
     }
 
     /// `lim eps u^(1/p)`.
-    pub fn saturation(&self, digits: usize) -> Result<Ball, CliError> {
+    ///
+    /// # Errors
+    ///
+    /// [`ApproximateError::Law`], [`ApproximateError::NoWholePowerAtZeroForce`].
+    pub fn saturation(&self, digits: usize) -> Result<Ball, ApproximateError> {
         if self.end() == End::ZeroForce {
-            return Err(CliError::usage(
-                "with the end of contact at zero force eps does not fall off like a whole power of sqrt(u): leave --at-infinity out, or end the contact at zero compression",
-            ));
+            return Err(ApproximateError::NoWholePowerAtZeroForce);
         }
-        saturation_speed(&self.law, digits).map_err(CliError::usage)
+        saturation_speed(&self.law, digits).map_err(ApproximateError::Law)
     }
 
     /// The exponent with which `eps` falls off in the variable: `1/p`, or twice that in `sqrt(u)`.
-    pub fn decay(&self) -> Result<usize, CliError> {
+    ///
+    /// # Errors
+    ///
+    /// [`ApproximateError::NoWholePower`].
+    pub fn decay(&self) -> Result<usize, ApproximateError> {
         let p = self.law.velocity_exponent();
         let steps = if self.variable == Variable::SqrtU { 2 } else { 1 };
         let decay = p.is_positive().then(|| BigRational::from_integer(steps.into()) / &p);
         let whole = decay.filter(|d| d.is_integer()).and_then(|d| d.to_usize());
-        whole.ok_or_else(|| {
-            CliError::usage(format!(
-                "with the law {} eps does not fall off like a whole power of {} (u ~ g^({p})): leave --at-infinity out",
-                self.law,
-                self.variable.name()
-            ))
+        whole.ok_or_else(|| ApproximateError::NoWholePower {
+            law: Box::new(self.law.clone()),
+            exponent: Box::new(p),
+            variable: self.variable.name(),
         })
     }
 
     /// `-C_1`.
-    fn scale(&self, digits: usize) -> Result<Ball, CliError> {
-        let c = coefficients(Quantity::Restitution, &self.law, 1, digits).map_err(CliError::failure)?;
+    fn scale(&self, digits: usize) -> Result<Ball, ApproximateError> {
+        let c = coefficients(Quantity::Restitution, &self.law, 1, digits)
+            .map_err(ApproximateError::Coefficients)?;
         Ok(-c.into_iter().nth(1).unwrap_or_else(Ball::one))
     }
 
     /// The certified value at `u`; the argument is in the variable.
-    pub fn sample(&self, u: &BigRational) -> Result<Sample, CliError> {
+    ///
+    /// # Errors
+    ///
+    /// [`ApproximateError::Value`].
+    pub fn sample(&self, u: &BigRational) -> Result<Sample, ApproximateError> {
         let lock = || self.samples.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if let Some(sample) = lock().get(u) {
             return Ok(sample.clone());
@@ -221,7 +258,7 @@ impl Expansion {
             Variable::SqrtU if u.is_zero() => Ball::zero(),
             Variable::SqrtU => exact.sqrt(),
         };
-        let value = self.collision.epsilon(u, SAMPLE_DIGITS).map_err(CliError::failure)?;
+        let value = self.collision.epsilon(u, SAMPLE_DIGITS).map_err(ApproximateError::Value)?;
         let sample = Sample { x, value: value.with_prec(SAMPLE_BITS) };
         lock().insert(u.clone(), sample.clone());
         Ok(sample)
