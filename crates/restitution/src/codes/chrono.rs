@@ -1,5 +1,5 @@
 use super::Input;
-use crate::error::{at_least_zero, finite, in_range, positive};
+use crate::bodies::error::{at_least_zero, finite, in_range, positive};
 use crate::{Contact, MaterialError, ViscoelasticContact};
 use core::fmt;
 

@@ -1,5 +1,5 @@
 use super::ConstantRestitution;
-use crate::error::at_least_zero;
+use crate::bodies::error::at_least_zero;
 use crate::{End, MaterialError};
 use core::f64::consts::PI;
 

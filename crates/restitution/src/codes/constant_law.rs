@@ -1,4 +1,4 @@
-use crate::error::{at_least_zero, finite};
+use crate::bodies::error::{at_least_zero, finite};
 use crate::{End, MaterialError};
 use core::f64::consts::PI;
 

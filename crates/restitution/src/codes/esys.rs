@@ -1,5 +1,5 @@
 use super::{Input, plane_strain};
-use crate::error::{at_least_zero, finite, in_range};
+use crate::bodies::error::{at_least_zero, finite, in_range};
 use crate::{Contact, MaterialError, ViscoelasticContact};
 use core::fmt;
 

@@ -1,5 +1,5 @@
 use super::{Input, UnitSystem, from_stiffness_and_damping, plane_strain, stiffness_and_damping};
-use crate::error::{at_least_zero, in_range, positive};
+use crate::bodies::error::{at_least_zero, in_range, positive};
 use crate::{End, MaterialError, ViscoelasticContact};
 use core::fmt;
 

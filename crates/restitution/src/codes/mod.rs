@@ -23,7 +23,7 @@ pub use mercury::MercuryDpm;
 pub use unit_system::UnitSystem;
 pub use yade::Yade;
 
-use crate::error::{at_least_zero, finite, in_range, positive};
+use crate::bodies::error::{at_least_zero, finite, in_range, positive};
 use crate::{Contact, MaterialError, ViscoelasticContact};
 use core::fmt;
 

@@ -1,5 +1,5 @@
 use super::{Input, plane_strain};
-use crate::error::{finite, positive};
+use crate::bodies::error::{finite, positive};
 use crate::{Contact, End, MaterialError, ViscoelasticContact, fifth_root};
 use core::fmt;
 

@@ -1,6 +1,6 @@
 //! A viscoelastic contact: Hertz's law and its dissipative constant.
 
-use crate::error::{at_least_zero, finite, in_range, positive};
+use crate::bodies::error::{at_least_zero, finite, in_range, positive};
 use crate::tables::constants::{DELTA_OVER_U, ELASTIC_COMPRESSION, ELASTIC_DURATION, SLOPE};
 use crate::{Contact, Course, End, MaterialError, Restitution, fifth_root};
 

@@ -1,6 +1,6 @@
 //! Whether a collision is one that the theory is about.
 
-use crate::error::{finite, positive};
+use crate::bodies::error::{finite, positive};
 use crate::{End, Material, MaterialError, ViscoelasticContact};
 
 /// The ratio below which a condition "much smaller" is said to hold: a choice, not a theorem.

@@ -1,6 +1,6 @@
 //! The dissipative constant A of a material from its viscosities.
 
-use crate::error::{at_least_zero, finite};
+use crate::bodies::error::{at_least_zero, finite};
 use crate::{Material, MaterialError};
 
 /// Which formula turns viscosities into the dissipative constant `A`.

@@ -1,7 +1,7 @@
 //! The time step that a discrete-element code needs for a wanted error of epsilon.
 
 use crate::MaterialError;
-use crate::error::positive;
+use crate::bodies::error::positive;
 
 /// The largest `u` at which the error was measured.
 pub const LARGEST_U: f64 = 20.0;

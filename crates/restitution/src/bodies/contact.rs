@@ -1,6 +1,6 @@
 //! Hertz's contact of two spheres, or of a sphere and a plane.
 
-use crate::error::{in_range, positive};
+use crate::bodies::error::{in_range, positive};
 use crate::{Material, MaterialError, Sphere, fifth_root};
 
 /// The body that a sphere meets when it is not a sphere.

@@ -1,7 +1,7 @@
 //! An isotropic solid and a sphere made of it.
 
 use crate::MaterialError;
-use crate::error::{in_range, positive};
+use crate::bodies::error::{in_range, positive};
 
 /// An isotropic elastic solid: Young's modulus, Poisson's ratio and mass density.
 ///
