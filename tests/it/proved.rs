@@ -73,13 +73,15 @@ fn the_tolerances_of_tiers_on_some_intervals() {
     assert_eq!(compression.prove_tier(&tiers::ZERO_FORCE_1E3).unwrap(), 0.0);
 }
 
-/// One number of a row some units larger, each so that the value is off by two units in the last place at least.
+/// One number of a row larger, each so that the value is off by two units in the last place at least.
 #[test]
 fn a_mistake_in_any_coefficient_is_noticed() {
-    let group = at(End::ZeroCompression, 2.1);
-    for number in 0..5 {
-        let mistaken = group.clone().map(|form| form.with_mistake(number, 4 << (8 * number)));
-        assert!(mistaken.prove().unwrap().epsilon.bound > bounds::EPSILON.size, "c_{number}");
+    let group = at(End::ZeroCompression, 0.5);
+    // c_0 to c_5 in units of their words; c_6 and c_7 stand at the low ends of the words of c_5 and c_4.
+    let own = (0..6).map(|k| (k, k, 4 << (8 * k)));
+    for (k, word, units) in own.chain([(6, 5, 1 << 12), (7, 4, 1 << 11)]) {
+        let mistaken = group.clone().map(|form| form.with_mistake(word, units));
+        assert!(mistaken.prove().unwrap().epsilon.bound > bounds::EPSILON.size, "c_{k}");
     }
     let mistaken = group.map(|form| form.with_mistake(6, 4));
     assert!(mistaken.prove().unwrap().one_minus_epsilon.bound > bounds::ONE_MINUS_EPSILON.size);

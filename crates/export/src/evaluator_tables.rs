@@ -21,20 +21,13 @@ struct Centred {
     grid: Grid,
     first: u64,
     rows: Vec<Vec<f64>>,
-    /// The largest relative error of the polynomials.
-    approximation: f64,
 }
 
 impl Centred {
     fn fit(function: Function, grid: Grid, low: f64, high: f64) -> Self {
         let first = grid.number(low);
-        let mut table = Self { grid, first, rows: Vec::new(), approximation: 0.0 };
-        for number in first..=grid.number(high) {
-            let (row, error) = interpolate(grid, number, DEGREE, function);
-            table.rows.push(row);
-            table.approximation = table.approximation.max(error);
-        }
-        table
+        let row = |number| interpolate(grid, number, DEGREE, function);
+        Self { grid, first, rows: (first..=grid.number(high)).map(row).collect() }
     }
 
     /// The grid whose piece 0 starts at `start`, as source.
@@ -123,10 +116,9 @@ type Part<'a> = (&'a Centred, &'a dyn Fn(&Float) -> f64);
 
 /// The pieces of several grids.
 fn piece_table(parts: &[Part]) -> String {
-    let approximation = parts.iter().map(|(pieces, _)| pieces.approximation).fold(0.0, f64::max);
     let count: usize = parts.iter().map(|(pieces, _)| pieces.rows.len()).sum();
     let mut text = format!(
-        "/// The pieces; the approximation is off by at most {approximation:.1e} of epsilon.\n#[rustfmt::skip]\npub(crate) static PIECES: [Piece; {count}] = [\n",
+        "/// The pieces; docs/evaluator.md says what is proved of them.\n#[rustfmt::skip]\npub(crate) static PIECES: [Piece; {count}] = [\n",
     );
     for (pieces, complement) in parts {
         for (i, row) in pieces.rows.iter().enumerate() {
@@ -141,7 +133,7 @@ fn piece_table(parts: &[Part]) -> String {
 fn departure_rows(reference: &Reference, far: f64) -> Vec<Vec<f64>> {
     let grid = Grid { shift: 1.0 / 16.0, bits: 5 };
     let departure = |x: &Float| reference.departure(&(1u32 / Float::with_val(PREC, x * x) / x));
-    let fit = |number: u64| interpolate(grid, number, DEGREE, &departure).0;
+    let fit = |number: u64| interpolate(grid, number, DEGREE, &departure);
     (grid.number(0.0)..=grid.number(1.0 / far.cbrt())).map(fit).collect()
 }
 

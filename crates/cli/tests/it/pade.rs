@@ -69,7 +69,7 @@ fn tables_to_look_up_are_numbers_in_si() {
     let rows = out.lines().filter(|line| !line.starts_with('#')).collect::<Vec<_>>();
     assert_eq!(rows, ["0.01 0.38410920", "1 0.073882358"], "{out}");
     assert!(out.contains("# velocity_in_m_per_s epsilon\n"));
-    assert!(out.contains("neighbouring rows is off by at most 2.1e-1 (docs/codes.md)"), "{out}");
+    assert!(out.contains("neighbouring rows is off by at most 2.1e-1 where epsilon bends one way, as it was seen to (docs/codes.md)"), "{out}");
     let fine = succeed("epsilon --velocity 1cm/s:1m/s:40log --g-star 1cm/s --digits 8 --format lookup");
     assert!(fine.contains("is off by at most 1.8e-4"), "{fine}");
     let coarse_digits =

@@ -6,6 +6,7 @@ use super::machine::{BLOCK, Block, Machine};
 use crate::fifth_root::{Root, fifth_power, is_ordinary};
 use crate::pieces::WORDS;
 use crate::{End, Restitution};
+use core::marker::PhantomData;
 
 /// What is asked for.
 #[derive(Clone, Copy, PartialEq)]
@@ -31,8 +32,8 @@ impl Work for Batch<'_> {
     #[inline(always)]
     fn run(self, machine: impl Machine) {
         match self.end {
-            End::ZeroCompression => self.run_table(Blocks { machine, table: Compression }),
-            End::ZeroForce => self.run_table(Blocks { machine, table: Force }),
+            End::ZeroCompression => self.run_table(Blocks::<_, Compression>::on(machine)),
+            End::ZeroForce => self.run_table(Blocks::<_, Force>::on(machine)),
         }
     }
 }
@@ -41,14 +42,13 @@ impl Work for Batch<'_> {
 #[inline(always)]
 pub(super) fn evaluate(machine: impl Machine, end: End, u: &[f64; BLOCK], out: &mut [f64; BLOCK]) {
     match end {
-        End::ZeroCompression => Blocks { machine, table: Compression }.kept(u, out),
-        End::ZeroForce => Blocks { machine, table: Force }.kept(u, out),
+        End::ZeroCompression => Blocks::<_, Compression>::on(machine).kept(u, out),
+        End::ZeroForce => Blocks::<_, Force>::on(machine).kept(u, out),
     }
 }
 
 impl Batch<'_> {
     /// Evaluates block by block; the last block ends with the last argument, whatever it repeats.
-    ///
     // Loops and named functions that are always inlined, not closures: only what ends up inside the function that a
     // machine has compiled for itself uses its instructions.
     #[inline(always)]
@@ -118,8 +118,7 @@ fn mixed_places<const N: usize, T: Table<N>>(u: &[f64; BLOCK]) -> Places {
 /// Blocks are evaluated by a machine in a table.
 struct Blocks<M, T> {
     machine: M,
-    #[allow(dead_code)]
-    table: T,
+    table: PhantomData<T>,
 }
 
 /// The words of the table at which the rows of a block start, the distances from their centres, and what values are multiplied by.
@@ -137,6 +136,11 @@ impl Places {
 }
 
 impl<M: Machine, T> Blocks<M, T> {
+    #[inline(always)]
+    fn on(machine: M) -> Self {
+        Self { machine, table: PhantomData }
+    }
+
     /// `epsilon` of a block.
     #[inline(always)]
     fn kept<const N: usize>(&self, u: &[f64; BLOCK], out: &mut [f64; BLOCK])

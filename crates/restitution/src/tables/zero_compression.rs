@@ -19,7 +19,7 @@ pub(crate) const NEAR: [f64; 8] = [1.1534488580952889, -0.7982665609447903, 0.52
 pub(crate) const INNER: usize = 448;
 /// Where the latter lie.
 pub(crate) const OUTER_GRID: Grid = Grid::new(0.0, 8, 1.0);
-/// The pieces; the approximation is off by at most 1.5e-20 of epsilon.
+/// The pieces; docs/evaluator.md says what is proved of them.
 #[rustfmt::skip]
 pub(crate) static PIECES: [Piece; 704] = [
     piece([0.9910371550829882, -1.1410710248789906, 0.7861381113298488, -0.51212515073934, 0.3397789784497009, -0.2258873942499882, 0.15102425449996665, -0.10144458119620559], 0.008962844917011775),

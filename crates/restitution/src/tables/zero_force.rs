@@ -22,7 +22,7 @@ pub(crate) const NEAR_HALVES: [f64; 6] = [-0.2666666666665162, 0.461379544367183
 pub(crate) const ROOT_PIECES: usize = 17;
 /// Where the former lie.
 pub(crate) const ROOT_GRID: Grid = Grid::new(1.0, 6, 0.0);
-/// The pieces; the approximation is off by at most 1.1e-18 of epsilon.
+/// The pieces; docs/evaluator.md says what is proved of them.
 #[rustfmt::skip]
 pub(crate) static PIECES: [Piece; 713] = [
     piece([0.9999296020501358, -0.018021110960088158, -1.1531552820819309, 0.02510354426940736, 0.80819690504432, 0.2415747000665543, -0.5474538677424857, -0.43854435523528384], 0.0),
