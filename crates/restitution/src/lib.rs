@@ -5,7 +5,7 @@
 //! | `epsilon` at a damping, and what it is of | [`epsilon`], [`one_minus_epsilon`], [`epsilon_batch`] |
 //! | `epsilon` at a velocity | [`Restitution`], from `g*` |
 //! | the damping of a measured `epsilon` | [`u_of_epsilon`], [`u_of_one_minus_epsilon`], [`u_of_epsilon_batch`] |
-//! | less than 2 ulp, for less time | [`tiers`] |
+//! | `epsilon` to 3, 6 or 9 digits, for less time | [`tiers`] |
 //! | how large an error can be, and why | [`bounds`]: every bound stands there, once |
 //! | what a material does (feature `std`) | [`Material`], [`Contact`], [`ViscoelasticContact`], [`Course`], [`Validity`] |
 //! | which time step a simulation may take (`std`) | [`time_step_for`], [`time_step_error`] |

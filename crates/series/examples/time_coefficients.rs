@@ -8,6 +8,7 @@ use restitution_series::{Quantity, coefficients};
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let sizes = std::env::args().skip(1).map(|size| size.parse()).collect::<Result<Vec<usize>, _>>()?;
     let [order, digits] = sizes[..] else { return Err("usage: time_coefficients K D".into()) };
+    let _ = rayon::ThreadPoolBuilder::new().use_current_thread().build_global(); // as the command does
     let start = std::time::Instant::now();
     let c = coefficients(Quantity::Restitution, &ForceLaw::viscoelastic_spheres(), order, digits)?;
     println!("{}", start.elapsed().as_secs_f64());
