@@ -3,7 +3,7 @@ CARGO ?= cargo
 .DEFAULT_GOAL := help
 SIZE ?= minutes
 SEED ?= 1
-.PHONY: help table tables test test-python test-page test-forms test-latex attack fuzz test-tools tools fmt clippy doc package publish-dry-run msrv book bench bench-python bench-peers mutants rooms test-codes clean
+.PHONY: help table tables test test-core test-python test-page test-forms test-latex attack fuzz test-tools tools fmt clippy doc package publish-dry-run msrv book bench bench-python bench-peers mutants rooms test-codes clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-15s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -13,7 +13,7 @@ table: tools ## build the command and print C_1..C_8 and a_1..a_8 to 20 digits
 	@$(CARGO) build --release --locked --package restitution-cli
 	@$(CARGO) run --release --locked --quiet --package restitution-cli -- table
 
-TABLES = crates/restitution/src/tables
+TABLES = crates/restitution/src/evaluator/tables
 PAGE = crates/page/src
 tables: tools ## regenerate every generated table of the evaluator
 	$(CARGO) build --release --locked --quiet --package restitution-cli
@@ -30,9 +30,17 @@ test: tools test-tools ## check formats, lints, documentation; run every test
 	$(STEP) lints $(MAKE) --no-print-directory clippy
 	$(STEP) documentation $(MAKE) --no-print-directory doc
 	$(STEP) tests env CI=true $(CARGO) test --workspace --locked --quiet --no-fail-fast
+	$(STEP) core $(MAKE) --no-print-directory test-core
 	$(STEP) python $(MAKE) --no-print-directory test-python
 	$(STEP) page $(MAKE) --no-print-directory test-page
 	$(STEP) forms $(MAKE) --no-print-directory test-forms
+
+CORE = thumbv7em-none-eabihf
+test-core: tools ## test the evaluator without std, and build it for a processor that has none if rustup knows one
+	$(CARGO) test --package restitution --no-default-features --locked --quiet
+	@if rustup target list --installed 2>/dev/null | grep -q '^$(CORE)'; \
+	then $(CARGO) build --package restitution --no-default-features --locked --quiet --target $(CORE); \
+	else echo "not built for $(CORE): 'rustup target add $(CORE)' adds it"; fi
 
 PYTHON = target/python
 test-python: tools $(PYTHON)/ready ## install the Python package into target/python and test it

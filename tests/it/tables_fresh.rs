@@ -6,7 +6,7 @@ use restitution_export::{constants, tier_tables, zero_compression_tables, zero_f
 use restitution_law::ForceLaw;
 use restitution_series::{Quantity, coefficients, turning_time};
 
-const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/crates/restitution/src/tables");
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/crates/restitution/src/evaluator/tables");
 
 fn compare(file: &str, fresh: &str) {
     let committed = std::fs::read_to_string(format!("{FOLDER}/{file}")).unwrap();

@@ -103,7 +103,7 @@ pub fn zero_force_tables(reference: &Reference) -> String {
 /// The head of a table, its grid and its limits.
 fn opening(title: &str, pieces: &Centred, near_end: f64, start: f64, far: f64) -> String {
     format!(
-        "//! {title}\n{HEAD}\nuse crate::pieces::{{Grid, Piece, piece}};\n\n\
+        "//! {title}\n{HEAD}\nuse crate::evaluator::pieces::{{Grid, Piece, piece}};\n\n\
          /// Below, `1 - epsilon` has a form of its own.\npub(crate) const NEAR_END: f64 = {near_end:?};\n\
          /// From here on the power law takes over.\npub(crate) const FAR: f64 = {far:?};\n\
          /// Where the pieces in `u` lie.\npub(crate) const GRID: Grid = {};\n",

@@ -23,7 +23,8 @@ const ABOVE: f64 = 4.0 * f64::EPSILON;
 ///
 /// [`ExportError::Tolerance`] if no table keeps a tier's tolerance.
 pub fn tier_tables(references: [&Reference; 2]) -> Result<String, ExportError> {
-    let mut text = format!("//! Cheaper tiers.\n{HEAD}\nuse crate::End;\nuse crate::tier::Tier;\n");
+    let mut text =
+        format!("//! Cheaper tiers.\n{HEAD}\nuse crate::End;\nuse crate::evaluator::tier::Tier;\n");
     for reference in references {
         for (name, tolerance) in TIERS {
             text.push_str(&tier(reference.end(), name, tolerance, &fit(reference, tolerance)?));

@@ -1,7 +1,7 @@
 //! A viscoelastic contact: Hertz's law and its dissipative constant.
 
 use crate::bodies::error::{at_least_zero, finite, in_range, positive};
-use crate::tables::constants::{DELTA_OVER_U, ELASTIC_COMPRESSION, ELASTIC_DURATION, SLOPE};
+use crate::evaluator::tables::constants::{DELTA_OVER_U, ELASTIC_COMPRESSION, ELASTIC_DURATION, SLOPE};
 use crate::{Contact, Course, End, MaterialError, Restitution, fifth_root};
 
 /// A contact with the force `rho (xi^(3/2) + (3/2) A sqrt(xi) xi')` (eq. 5 of \[RPBS1999\]).

@@ -1,6 +1,8 @@
-use crate::fifth_root::{Root, fifth_root, is_ordinary};
-use crate::tables::constants::SLOPE;
-use crate::{End, epsilon, one_minus_epsilon, zero_compression, zero_force};
+use super::end::End;
+use super::epsilon::{epsilon, one_minus_epsilon};
+use super::fifth_root::{Root, fifth_root, is_ordinary};
+use super::tables::constants::SLOPE;
+use super::{zero_compression, zero_force};
 
 /// The coefficient of restitution of two given bodies as a function of their impact velocity.
 ///

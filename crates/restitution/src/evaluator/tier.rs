@@ -1,7 +1,8 @@
 //! One cheaper evaluator: polynomials on pieces that keep a tolerance.
 
-use crate::rounding::Number;
-use crate::{End, epsilon};
+use super::end::End;
+use super::epsilon::epsilon;
+use super::rounding::Number;
 
 /// Polynomials of degree `WIDTH - 1` on `ROWS` pieces that keep a tolerance.
 ///

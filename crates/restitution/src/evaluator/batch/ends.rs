@@ -1,7 +1,7 @@
 //! What the two ends of contact have of their own: which row of the table serves an argument.
 
-use crate::pieces::Rows;
-use crate::{zero_compression, zero_force};
+use crate::evaluator::pieces::Rows;
+use crate::evaluator::{zero_compression, zero_force};
 
 /// A row, the distance from its centre, and what its value is multiplied by.
 pub(super) type Place = (u64, f64, f64);

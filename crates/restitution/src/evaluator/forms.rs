@@ -4,11 +4,12 @@
 //! tiers run, open to any [`Number`]: in polynomials over exact numbers they show what is evaluated, in bounds of errors how
 //! well.
 
-pub use crate::rounding::Number;
+pub use super::rounding::Number;
 
-use crate::pieces::{Grid, Piece};
-use crate::tables::{zero_compression as compression, zero_force as force};
-use crate::{End, zero_compression, zero_force};
+use super::end::End;
+use super::pieces::{Grid, Piece};
+use super::tables::{zero_compression as compression, zero_force as force};
+use super::{zero_compression, zero_force};
 
 /// A polynomial of the table: `epsilon` for `low <= u < high`, from `t = u - centre`.
 #[derive(Clone, Copy, Debug)]

@@ -11,7 +11,7 @@ mod tiers;
 #[cfg(all(feature = "simd", target_arch = "x86_64"))]
 mod x86;
 
-use crate::tier::Tier;
+use crate::evaluator::tier::Tier;
 use crate::{End, Restitution};
 use block::{Batch, Quantity};
 use tiers::TierBatch;

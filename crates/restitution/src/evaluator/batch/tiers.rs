@@ -3,8 +3,8 @@
 use super::Work;
 use super::block::evaluate;
 use super::machine::{BLOCK, Block, Machine};
-use crate::pieces::{Rows, WORDS};
-use crate::tier::Tier;
+use crate::evaluator::pieces::{Rows, WORDS};
+use crate::evaluator::tier::Tier;
 
 /// Rows of a copy in the form that machines read, made once for each batch: of a small table and of a larger one.
 const ROWS_OF_A_COPY: [usize; 2] = [64, 256];

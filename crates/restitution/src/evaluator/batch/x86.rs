@@ -2,10 +2,10 @@
 
 use super::Work;
 use super::machine::{BLOCK, Block, Compiled, Machine};
-use crate::fifth_root::ROOTS;
-use crate::pieces::{LENGTH, LIFT_SEVENTH, LIFT_SIXTH, Rows, one_minus, polynomial};
-use crate::rounding::{Number, Rooted};
-use crate::tier::value;
+use crate::evaluator::fifth_root::ROOTS;
+use crate::evaluator::pieces::{LENGTH, LIFT_SEVENTH, LIFT_SIXTH, Rows, one_minus, polynomial};
+use crate::evaluator::rounding::{Number, Rooted};
+use crate::evaluator::tier::value;
 use core::arch::x86_64::__m128d;
 use core::ops::Mul;
 use pulp::x86::{V3, V4};

@@ -1,11 +1,11 @@
 //! The contact that ends at zero force.
 
-use crate::fifth_root::Root;
-use crate::pieces::{Grid, Rows, polynomial};
-use crate::rounding::{Number, Rooted, square_root, two_product};
-use crate::tables::zero_force::{BEYOND, LIMIT, NEAR_HALVES, NEAR_WHOLES, PIECES, ROOT_GRID, ROOT_PIECES};
+use super::fifth_root::Root;
+use super::pieces::{Grid, Rows, polynomial};
+use super::rounding::{Number, Rooted, square_root, two_product};
+use super::tables::zero_force::{BEYOND, LIMIT, NEAR_HALVES, NEAR_WHOLES, PIECES, ROOT_GRID, ROOT_PIECES};
 
-pub(crate) use crate::tables::zero_force::{GRID, NEAR_END};
+pub(crate) use super::tables::zero_force::{GRID, NEAR_END};
 
 /// The pieces, for batches: those in `sqrt(u)`, then those in `u`.
 pub(crate) static TABLE: Rows<ROWS> = Rows::of(&PIECES);

@@ -1,6 +1,6 @@
 //! The fifth root: what leads from a velocity to `u`.
 
-use crate::rounding::multiply_add;
+use super::rounding::multiply_add;
 
 /// Pieces in each factor of two.
 const PIECES: usize = 64;

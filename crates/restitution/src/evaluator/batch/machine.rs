@@ -1,8 +1,8 @@
 //! What a processor is asked for: rows of a table, looked up and evaluated side by side.
 
-use crate::fifth_root::ROOTS;
-use crate::pieces::Rows;
-use crate::tier::value;
+use crate::evaluator::fifth_root::ROOTS;
+use crate::evaluator::pieces::Rows;
+use crate::evaluator::tier::value;
 use core::ops::{Deref, DerefMut};
 
 /// How many arguments are looked at together.

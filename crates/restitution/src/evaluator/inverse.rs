@@ -1,6 +1,9 @@
-use crate::pieces::{Grid, Piece};
-use crate::tables::{zero_compression as compression, zero_force as force};
-use crate::{End, epsilon, fifth_root, zero_compression, zero_force};
+use super::end::End;
+use super::epsilon::epsilon;
+use super::fifth_root::fifth_root;
+use super::pieces::{Grid, Piece};
+use super::tables::{zero_compression as compression, zero_force as force};
+use super::{zero_compression, zero_force};
 
 /// Steps after which an iteration has long been where it ends.
 const STEPS: usize = 40;

@@ -1,11 +1,11 @@
 //! The contact that ends at zero compression.
 
-use crate::fifth_root::Root;
-use crate::pieces::Rows;
-use crate::rounding::Number;
-use crate::tables::zero_compression::{INNER, NEAR, OUTER_GRID, PIECES};
+use super::fifth_root::Root;
+use super::pieces::Rows;
+use super::rounding::Number;
+use super::tables::zero_compression::{INNER, NEAR, OUTER_GRID, PIECES};
 
-pub(crate) use crate::tables::zero_compression::{GRID, NEAR_END};
+pub(crate) use super::tables::zero_compression::{GRID, NEAR_END};
 
 /// The pieces, for batches: those in `u`, then those of the power law in the significand of `u`.
 pub(crate) static TABLE: Rows<ROWS> = Rows::of(&PIECES);

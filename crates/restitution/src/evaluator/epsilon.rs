@@ -1,4 +1,5 @@
-use crate::{End, zero_compression, zero_force};
+use super::end::End;
+use super::{zero_compression, zero_force};
 
 /// Returns the coefficient of restitution `epsilon(u)` of viscoelastic spheres.
 ///

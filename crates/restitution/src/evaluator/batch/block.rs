@@ -3,8 +3,8 @@
 use super::Work;
 use super::ends::{Compression, Force, Table};
 use super::machine::{BLOCK, Block, Machine};
-use crate::fifth_root::{Root, fifth_power, is_ordinary};
-use crate::pieces::WORDS;
+use crate::evaluator::fifth_root::{Root, fifth_power, is_ordinary};
+use crate::evaluator::pieces::WORDS;
 use crate::{End, Restitution};
 use core::marker::PhantomData;
 

@@ -1,7 +1,7 @@
 //! Contact that ends at zero compression.
 // Written by `make tables`; compared by tests/it/tables_fresh.rs.
 
-use crate::pieces::{Grid, Piece, piece};
+use crate::evaluator::pieces::{Grid, Piece, piece};
 
 /// Below, `1 - epsilon` has a form of its own.
 pub(crate) const NEAR_END: f64 = 0.03125;

@@ -1,6 +1,6 @@
 //! Piecewise polynomials on grids that the exponent and leading bits of a shifted argument number.
 
-use crate::rounding::Number;
+use super::rounding::Number;
 
 /// By so many places the bits of `c_6` stand too low in the word that it shares with `c_5`.
 pub(crate) const LIFT_SIXTH: u32 = 36;

@@ -2,7 +2,7 @@
 // Written by `make tables`; compared by tests/it/tables_fresh.rs.
 
 use crate::End;
-use crate::tier::Tier;
+use crate::evaluator::tier::Tier;
 
 /// To 1e-3; contact ends at zero compression.
 #[rustfmt::skip]
