@@ -1,5 +1,7 @@
+use super::curve::Curve;
 use super::end::End;
-use super::{zero_compression, zero_force};
+use super::zero_compression::ZeroCompression;
+use super::zero_force::ZeroForce;
 
 /// Returns the coefficient of restitution `epsilon(u)` of viscoelastic spheres.
 ///
@@ -34,8 +36,8 @@ use super::{zero_compression, zero_force};
 #[must_use]
 pub fn epsilon(u: f64, end: End) -> f64 {
     match end {
-        End::ZeroCompression => zero_compression::epsilon(u),
-        End::ZeroForce => zero_force::epsilon(u),
+        End::ZeroCompression => ZeroCompression::epsilon(u),
+        End::ZeroForce => ZeroForce::epsilon(u),
     }
 }
 
@@ -66,7 +68,7 @@ pub fn epsilon(u: f64, end: End) -> f64 {
 #[must_use]
 pub fn one_minus_epsilon(u: f64, end: End) -> f64 {
     match end {
-        End::ZeroCompression => zero_compression::one_minus_epsilon(u),
-        End::ZeroForce => zero_force::one_minus_epsilon(u),
+        End::ZeroCompression => ZeroCompression::one_minus_epsilon(u),
+        End::ZeroForce => ZeroForce::one_minus_epsilon(u),
     }
 }

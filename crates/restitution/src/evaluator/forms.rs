@@ -81,8 +81,8 @@ fn forms(grid: &'static Grid, pieces: &'static [Piece]) -> impl Iterator<Item = 
 #[must_use]
 pub fn near_end(end: End) -> f64 {
     match end {
-        End::ZeroCompression => zero_compression::NEAR_END,
-        End::ZeroForce => zero_force::NEAR_END,
+        End::ZeroCompression => compression::NEAR_END,
+        End::ZeroForce => force::NEAR_END,
     }
 }
 

@@ -1,9 +1,11 @@
+use super::curve::Curve;
 use super::end::End;
 use super::epsilon::epsilon;
 use super::fifth_root::fifth_root;
 use super::pieces::{Grid, Piece};
 use super::tables::{zero_compression as compression, zero_force as force};
-use super::{zero_compression, zero_force};
+use super::zero_compression::ZeroCompression;
+use super::zero_force::ZeroForce;
 
 /// Steps after which an iteration has long been where it ends.
 const STEPS: usize = 40;
@@ -63,10 +65,10 @@ fn solve(epsilon: f64, lost: f64, end: End) -> f64 {
         return f64::INFINITY;
     }
     match end {
-        End::ZeroCompression if lost < zero_compression::near(compression::NEAR_END) => {
-            near_zero(lost, zero_compression::near)
+        End::ZeroCompression if lost < ZeroCompression::near(compression::NEAR_END) => {
+            near_zero(lost, ZeroCompression::near)
         }
-        End::ZeroForce if lost < zero_force::near(force::NEAR_END) => near_zero(lost, zero_force::near),
+        End::ZeroForce if lost < ZeroForce::near(force::NEAR_END) => near_zero(lost, ZeroForce::near),
         End::ZeroCompression if epsilon >= crate::epsilon(compression::FAR, end) => {
             in_table(&compression::PIECES[..compression::INNER], &compression::GRID, epsilon, lost)
         }

@@ -2,6 +2,7 @@
 
 mod batch;
 pub mod bounds;
+mod curve;
 mod end;
 mod epsilon;
 mod fifth_root;

@@ -1,8 +1,10 @@
+use super::curve::Curve;
 use super::end::End;
 use super::epsilon::{epsilon, one_minus_epsilon};
 use super::fifth_root::{Root, fifth_root, is_ordinary};
 use super::tables::constants::SLOPE;
-use super::{zero_compression, zero_force};
+use super::zero_compression::ZeroCompression;
+use super::zero_force::ZeroForce;
 
 /// The coefficient of restitution of two given bodies as a function of their impact velocity.
 ///
@@ -133,8 +135,8 @@ impl Restitution {
             return epsilon(self.u(velocity), self.end);
         }
         match self.end {
-            End::ZeroCompression => zero_compression::epsilon_of_root(Root::of(x)),
-            End::ZeroForce => zero_force::epsilon_of_root(Root::of(x)),
+            End::ZeroCompression => ZeroCompression::epsilon_of_root(Root::of(x)),
+            End::ZeroForce => ZeroForce::epsilon_of_root(Root::of(x)),
         }
     }
 

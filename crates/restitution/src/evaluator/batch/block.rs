@@ -1,10 +1,12 @@
 //! A block of arguments, form by form.
 
 use super::Work;
-use super::ends::{Compression, Force, Table};
 use super::machine::{BLOCK, Block, Machine};
+use crate::evaluator::curve::Curve;
 use crate::evaluator::fifth_root::{Root, fifth_power, is_ordinary};
 use crate::evaluator::pieces::WORDS;
+use crate::evaluator::zero_compression::ZeroCompression;
+use crate::evaluator::zero_force::ZeroForce;
 use crate::{End, Restitution};
 use core::marker::PhantomData;
 
@@ -32,8 +34,8 @@ impl Work for Batch<'_> {
     #[inline(always)]
     fn run(self, machine: impl Machine) {
         match self.end {
-            End::ZeroCompression => self.run_table(Blocks::<_, Compression>::on(machine)),
-            End::ZeroForce => self.run_table(Blocks::<_, Force>::on(machine)),
+            End::ZeroCompression => self.run_table(Blocks::<_, ZeroCompression>::on(machine)),
+            End::ZeroForce => self.run_table(Blocks::<_, ZeroForce>::on(machine)),
         }
     }
 }
@@ -42,8 +44,8 @@ impl Work for Batch<'_> {
 #[inline(always)]
 pub(super) fn evaluate(machine: impl Machine, end: End, u: &[f64; BLOCK], out: &mut [f64; BLOCK]) {
     match end {
-        End::ZeroCompression => Blocks::<_, Compression>::on(machine).kept(u, out),
-        End::ZeroForce => Blocks::<_, Force>::on(machine).kept(u, out),
+        End::ZeroCompression => Blocks::<_, ZeroCompression>::on(machine).kept(u, out),
+        End::ZeroForce => Blocks::<_, ZeroForce>::on(machine).kept(u, out),
     }
 }
 
@@ -52,11 +54,11 @@ impl Batch<'_> {
     // Loops and named functions that are always inlined, not closures: only what ends up inside the function that a
     // machine has compiled for itself uses its instructions.
     #[inline(always)]
-    fn run_table<const N: usize, M: Machine, T: Table<N>>(self, blocks: Blocks<M, T>) {
+    fn run_table<M: Machine, T: Curve>(self, blocks: Blocks<M, T>) {
         let Batch { u, out, quantity, factor, .. } = self;
         if u.len() < BLOCK {
             for (u, out) in u.iter().zip(out) {
-                *out = single::<N, T>(*u, quantity, factor);
+                *out = single::<T>(*u, quantity, factor);
             }
             return;
         }
@@ -77,7 +79,7 @@ impl Batch<'_> {
 }
 
 /// One argument or velocity.
-fn single<const N: usize, T: Table<N>>(u: f64, quantity: Quantity, factor: Option<Restitution>) -> f64 {
+fn single<T: Curve>(u: f64, quantity: Quantity, factor: Option<Restitution>) -> f64 {
     match (factor, quantity) {
         (None, Quantity::Kept) => T::epsilon(u),
         (None, _) => T::one_minus_epsilon(u),
@@ -89,7 +91,7 @@ fn single<const N: usize, T: Table<N>>(u: f64, quantity: Quantity, factor: Optio
 
 /// The rows of arguments that are placed in `u`, and the distances from their centres.
 #[inline(always)]
-fn places<const N: usize, T: Table<N>>(u: &[f64; BLOCK]) -> (Block<u64>, Block<f64>) {
+fn places<T: Curve>(u: &[f64; BLOCK]) -> (Block<u64>, Block<f64>) {
     let (mut start, mut t) = (Block::zeros(), Block::zeros());
     for i in 0..BLOCK {
         let (row, centre) = T::place(u[i]);
@@ -100,7 +102,7 @@ fn places<const N: usize, T: Table<N>>(u: &[f64; BLOCK]) -> (Block<u64>, Block<f
 
 /// The rows of arguments each of which is placed in its own variable.
 #[inline(always)]
-fn mixed_places<const N: usize, T: Table<N>>(u: &[f64; BLOCK]) -> Places {
+fn mixed_places<T: Curve>(u: &[f64; BLOCK]) -> Places {
     let mut places = Places::new();
     for (i, u) in u.iter().enumerate() {
         let (row, centre) = T::place(*u);
@@ -143,9 +145,9 @@ impl<M: Machine, T> Blocks<M, T> {
 
     /// `epsilon` of a block.
     #[inline(always)]
-    fn kept<const N: usize>(&self, u: &[f64; BLOCK], out: &mut [f64; BLOCK])
+    fn kept(&self, u: &[f64; BLOCK], out: &mut [f64; BLOCK])
     where
-        T: Table<N>,
+        T: Curve,
     {
         let (mut common, mut odd) = (true, false);
         for u in u {
@@ -153,12 +155,12 @@ impl<M: Machine, T> Blocks<M, T> {
             odd |= !((0.0 <= *u) & (*u < T::END));
         }
         if common {
-            let (start, t) = places::<N, T>(u);
-            self.machine.values(T::ROWS, &start, &t, out);
+            let (start, t) = places::<T>(u);
+            self.machine.values(T::TABLE, &start, &t, out);
             return;
         }
-        let places = mixed_places::<N, T>(u);
-        self.machine.values(T::ROWS, &places.start, &places.t, out);
+        let places = mixed_places::<T>(u);
+        self.machine.values(T::TABLE, &places.start, &places.t, out);
         for i in 0..BLOCK {
             let value = if T::HAS_POWER { out[i] * places.power[i] } else { out[i] };
             out[i] = if u[i] < T::NOTHING_LOST { 1.0 } else { value };
@@ -174,9 +176,9 @@ impl<M: Machine, T> Blocks<M, T> {
 
     /// `1 - epsilon` of a block.
     #[inline(always)]
-    fn lost<const N: usize>(&self, u: &[f64; BLOCK], out: &mut [f64; BLOCK])
+    fn lost(&self, u: &[f64; BLOCK], out: &mut [f64; BLOCK])
     where
-        T: Table<N>,
+        T: Curve,
     {
         let (mut near, mut common, mut odd) = (0_u64, true, false);
         for u in u {
@@ -186,13 +188,13 @@ impl<M: Machine, T> Blocks<M, T> {
             odd |= !((0.0 <= *u) & (*u < T::END));
         }
         if common && near < BLOCK as u64 {
-            let (start, t) = places::<N, T>(u);
-            self.machine.losses(T::ROWS, &start, &t, out);
+            let (start, t) = places::<T>(u);
+            self.machine.losses(T::TABLE, &start, &t, out);
         }
         if !common {
-            let places = mixed_places::<N, T>(u);
+            let places = mixed_places::<T>(u);
             let mut kept = Block::zeros();
-            self.machine.values_and_losses(T::ROWS, &places.start, &places.t, &mut kept, out);
+            self.machine.values_and_losses(T::TABLE, &places.start, &places.t, &mut kept, out);
             for i in 0..BLOCK {
                 let beyond = 1.0 - kept[i] * places.power[i];
                 out[i] = if T::is_other(u[i]) { beyond } else { out[i] };
@@ -215,14 +217,14 @@ impl<M: Machine, T> Blocks<M, T> {
 
     /// Evaluates at velocities: the fifth roots of the block, then as single calls do.
     #[inline(always)]
-    fn at_velocities<const N: usize>(
+    fn at_velocities(
         &self,
         law: Restitution,
         quantity: Quantity,
         velocities: &[f64; BLOCK],
         out: &mut [f64; BLOCK],
     ) where
-        T: Table<N>,
+        T: Curve,
     {
         let (ordinary, roots) = self.roots(law.factor(), velocities);
         if quantity == Quantity::Kept && ordinary {
@@ -268,21 +270,16 @@ impl<M: Machine, T> Blocks<M, T> {
 
     /// `epsilon` from roots that are known better than one f64.
     #[inline(always)]
-    fn of_roots<const N: usize>(
-        &self,
-        law: Restitution,
-        velocities: &[f64; BLOCK],
-        roots: &Roots,
-        out: &mut [f64; BLOCK],
-    ) where
-        T: Table<N>,
+    fn of_roots(&self, law: Restitution, velocities: &[f64; BLOCK], roots: &Roots, out: &mut [f64; BLOCK])
+    where
+        T: Curve,
     {
         let (mut places, mut common, mut odd) = (Places::new(), true, false);
         for i in 0..BLOCK {
             let root = roots.at(i);
             let estimate = root.estimate();
             let (row, centre) = T::place(estimate);
-            common &= !T::is_other(estimate);
+            common &= (T::NOTHING_LOST <= estimate) & !T::is_other(estimate);
             odd |= estimate >= T::END;
             (places.start[i], places.t[i]) = (row.wrapping_mul(WORDS), root.distance(centre));
         }
@@ -298,12 +295,12 @@ impl<M: Machine, T> Blocks<M, T> {
                 places.power[i] = if is_other { power } else { 1.0 };
             }
         }
-        self.machine.values(T::ROWS, &places.start, &places.t, out);
+        self.machine.values(T::TABLE, &places.start, &places.t, out);
         if !common {
-            for i in 0..BLOCK {
-                let one = !T::HAS_POWER & (u[i] < T::NOTHING_LOST); // as single calls do
-                let value = if T::HAS_POWER { out[i] * places.power[i] } else { out[i] };
-                out[i] = if one { 1.0 } else { value };
+            for (i, out) in out.iter_mut().enumerate() {
+                let one = roots.at(i).estimate() < T::NOTHING_LOST;
+                let value = if T::HAS_POWER { *out * places.power[i] } else { *out };
+                *out = if one { 1.0 } else { value };
             }
         }
         if odd {

@@ -5,7 +5,6 @@
 //! transposed in registers ([`machine`]): no gathers. Every value is the one that the single call gives, to the bit.
 
 mod block;
-mod ends;
 mod machine;
 mod tiers;
 #[cfg(all(feature = "simd", target_arch = "x86_64"))]
