@@ -43,6 +43,15 @@ pub enum ApproximateError {
         /// The variable.
         variable: &'static str,
     },
+    /// The whole range lies where the bodies do not separate.
+    #[error(
+        "beyond u = {} the bodies never separate and there is no value to compare with: give --range with a smaller end",
+        crate::decimal(end)
+    )]
+    BeyondCriticalDamping {
+        /// A little less than the critical damping.
+        end: Box<BigRational>,
+    },
     /// The law and what is asked of it do not go together.
     #[error(transparent)]
     Law(DirectError),

@@ -67,17 +67,46 @@ pub fn shown_places<F: OrderedField>(
 }
 
 /// Bits to begin with: the digits wanted and what the elimination is likely to lose.
-pub fn first_bits(asked: PadeType, digits: usize) -> u32 {
+pub(crate) fn first_bits(asked: PadeType, digits: usize) -> u32 {
     let degree = asked.numerator.saturating_add(asked.denominator);
     u32::try_from(64 + digits.saturating_mul(10) / 3 + degree.saturating_mul(10)).unwrap_or(u32::MAX / 64)
 }
 
 /// Finds the approximant and its verdict, with all digits of its constants proved.
 ///
+/// Whether the degrees suit the law at infinity is checked before any work. Cost: the coefficients, and an elimination for each
+/// precision that is tried.
+///
 /// # Errors
 ///
-/// What the expansion says; [`PadeError`] as a usage error or a failure.
+/// [`PadeError::WrongDecay`] and [`PadeError::TooManyConditions`] for degrees that cannot meet what is asked at infinity,
+/// [`PadeError::PrecisionExhausted`]; what the expansion says.
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_approximate::{ApproximateError, Expansion, Request, constants, judge};
+/// use restitution_direct::End;
+/// use restitution_law::ForceLaw;
+/// use restitution_pade::{PadeError, PadeType};
+///
+/// let number = |n: i64| BigRational::from_integer(n.into());
+/// let spheres = Expansion::new(&ForceLaw::viscoelastic_spheres(), End::ZeroCompression, None)?;
+/// let range = (number(0), number(1));
+/// let asked = Request { asked: PadeType::new(1, 6), at_infinity: 1, digits: 8, range, level: number(1) };
+/// let found = judge(&spheres, &asked)?;
+/// assert_eq!((found.verdict.poles, found.approximant.met_at_infinity()), (0, 1));
+///
+/// let falls_too_slowly = Request { asked: PadeType::new(3, 6), ..asked };
+/// let refused = judge(&spheres, &falls_too_slowly);
+/// assert!(matches!(refused, Err(ApproximateError::Pade(PadeError::WrongDecay { decay: 5, .. }))));
+/// # Ok::<(), ApproximateError>(())
+/// ```
 pub fn judge(expansion: &Expansion, request: &Request) -> Result<Judged, ApproximateError> {
+    if request.at_infinity > 0 {
+        fits_infinity(expansion, request)?;
+    }
     let count = request.asked.conditions() - request.at_infinity.min(request.asked.conditions() - 1) + 2;
     let first = first_bits(request.asked, request.digits);
     with_precision(first, first.saturating_mul(ATTEMPTS), |bits| {
@@ -99,12 +128,24 @@ pub fn judge(expansion: &Expansion, request: &Request) -> Result<Judged, Approxi
     })
 }
 
+fn fits_infinity(expansion: &Expansion, request: &Request) -> Result<(), ApproximateError> {
+    let (asked, decay) = (request.asked, expansion.decay()?);
+    if asked.numerator + decay != asked.denominator {
+        return Err(PadeError::WrongDecay { asked, decay }.into());
+    }
+    let (conditions, limit) = (request.at_infinity, asked.denominator);
+    if conditions > limit {
+        return Err(PadeError::TooManyConditions { asked, conditions, limit }.into());
+    }
+    Ok(())
+}
+
 /// The approximant with contact at 0 alone, by the reciprocal series where that knows more.
 ///
 /// # Errors
 ///
 /// Those of [`Expansion::reciprocal`]; the inner ones are those of [`approximant`].
-pub fn nearest(
+pub(crate) fn nearest(
     expansion: &Expansion,
     series: &[Ball],
     asked: PadeType,
@@ -133,8 +174,37 @@ pub fn constants(function: &RationalFunction<Balls>, digits: usize) -> Result<Ve
     all.map(|(part, k, c)| Ok((part, k, shown(c, digits).ok_or(undecided.clone())?))).collect()
 }
 
+/// The links `c x^power` of the continued fraction of an approximant, its constant first, in decimals.
+///
+/// # Errors
+///
+/// [`PadeError::Undecided`] if a ball does not prove the digits, or whether it is zero.
+///
+/// # Examples
+///
+/// ```
+/// use restitution_approximate::links;
+/// use restitution_pade::{PadeError, PadeType, approximant};
+/// use restitution_real::{Ball, Balls};
+///
+/// let exp = [1, 1, 2, 6].map(|n| Ball::from_ratio(1, n, 100));
+/// let found = approximant(&Balls::new(100), &exp, PadeType::new(1, 2))?;
+/// let text = |power, digits: &str| (power, digits.to_owned());
+/// assert_eq!(links(&found, 4)?[2..4], [text(1, "-0.5000"), text(1, "0.1667")]);
+///
+/// assert!(matches!(links(&found, 100), Err(PadeError::Undecided { .. })));
+/// # Ok::<(), PadeError>(())
+/// ```
+pub fn links(approximant: &Approximant<Balls>, digits: usize) -> Result<Vec<(usize, String)>, PadeError> {
+    let fraction = approximant.continued_fraction()?;
+    let links = fraction.links.iter().map(|link| (link.power, &link.coefficient));
+    let undecided = PadeError::Undecided { what: "the last digit of a link" };
+    let text = |(power, value): (usize, &Ball)| Ok((power, shown(value, digits).ok_or(undecided.clone())?));
+    std::iter::once((0, &fraction.constant)).chain(links).map(text).collect()
+}
+
 /// The value in decimals, `None` if its digits are not proved; an exact integer has no tail of zeros.
-pub fn shown(value: &Ball, digits: usize) -> Option<String> {
+fn shown(value: &Ball, digits: usize) -> Option<String> {
     match value.mid().to_integer() {
         Some(n) if value.is_exact() && value.mid().is_integer() => Some(n.to_string()),
         _ => value.to_digits(digits),

@@ -4,6 +4,26 @@ use restitution_real::Ball;
 use rug::Float;
 use rug::float::Round;
 
+/// A rational in `digits` significant decimals, off by less than a unit of the last; an integer as it is.
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_approximate::rational_digits;
+///
+/// assert_eq!(rational_digits(&BigRational::new(2.into(), 3.into()), 5), "0.66667");
+/// assert_eq!(rational_digits(&BigRational::from_integer(12.into()), 1), "12");
+/// ```
+pub fn rational_digits(value: &BigRational, digits: usize) -> String {
+    if value.is_integer() {
+        return value.to_string();
+    }
+    let bits = u32::try_from(digits.saturating_mul(4)).unwrap_or(u32::MAX / 64).saturating_add(64);
+    let text = (0..6).find_map(|k| Ball::from_rational(value, bits << k).to_digits(digits));
+    text.unwrap_or_else(|| value.to_string())
+}
+
 /// An upper bound with two digits.
 pub fn error_bound(error: &Ball) -> String {
     let up: Float = error.upper();

@@ -3,13 +3,18 @@
 //! [`run`] reads the arguments and carries one subcommand out. What subcommands share lives here:
 //! parsed arguments ([`args`], [`units`]), where its tables go ([`output`]),
 //! errors and exit codes ([`error`]), the limits of the machine ([`memory`]) and the progress bar
-//! ([`progress`]). The subcommands themselves, and how to add one, are in [`commands`].
+//! ([`progress`]). The subcommands themselves, and how to add one, are in [`commands`]. Nothing is computed here: arithmetic in
+//! double precision is a lint that is denied, but for grids of arguments and bytes of memory.
+
+#![deny(clippy::float_arithmetic)]
 
 pub mod args;
 pub mod commands;
 pub mod error;
 pub mod interrupt;
+#[expect(clippy::float_arithmetic, reason = "points of grids")]
 pub mod list;
+#[expect(clippy::float_arithmetic, reason = "bytes")]
 pub mod memory;
 pub mod output;
 pub mod progress;

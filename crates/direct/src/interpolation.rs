@@ -2,6 +2,7 @@ use crate::collision::Collision;
 use crate::damping::Damping;
 use crate::error::DirectError;
 use num_rational::BigRational;
+use rayon::prelude::*;
 use restitution_real::Ball;
 use rug::Float;
 
@@ -61,5 +62,54 @@ impl Collision {
         }
         let bound = Ball::exact(largest) * Ball::from_rational(&BigRational::new(4.into(), 3.into()), BITS);
         Ok(bound.upper().to_f64_round(rug::float::Round::Up))
+    }
+
+    /// Bounds by how much linear interpolation in a whole table of velocities differs from `epsilon`, its `digits` rounded digits included.
+    ///
+    /// The largest [`interpolation_error`](Self::interpolation_error) between neighbours, with one unit of the last digit that is printed and the rounding of
+    /// a velocity to f64 added. The velocities need no order; `None` if there are fewer than two. `after_each` is called for every interval
+    /// that is done with. Cost: five coefficients of 25 digits for each interval, on all processors.
+    ///
+    /// # Errors
+    ///
+    /// As [`Collision::interpolation_error`].
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use num_rational::BigRational;
+    /// use restitution_direct::{Collision, Damping, DirectError, End};
+    /// use restitution_law::ForceLaw;
+    ///
+    /// let law = ForceLaw::viscoelastic_spheres();
+    /// let spheres = Collision::new(&law, End::ZeroCompression)?;
+    /// let velocities = [3, 1, 2].map(|n: i64| BigRational::from_integer(n.into()));
+    /// let damping = |g: &BigRational| Damping::of_velocity(g, &velocities[1], &law);
+    /// let error = spheres.table_error(&velocities, 6, damping, || ())?;
+    /// assert!(error.is_some_and(|error| error > 0.003 && error < 0.007));
+    /// assert_eq!(spheres.table_error(&velocities[..1], 6, damping, || ())?, None);
+    ///
+    /// let nothing = |_: &BigRational| Err(DirectError::NegativeVelocity);
+    /// assert!(spheres.table_error(&velocities, 6, nothing, || ()).is_err());
+    /// # Ok::<(), DirectError>(())
+    /// ```
+    pub fn table_error(
+        &self,
+        velocities: &[BigRational],
+        digits: usize,
+        damping: impl Fn(&BigRational) -> Result<Damping, DirectError> + Sync,
+        after_each: impl Fn() + Sync,
+    ) -> Result<Option<f64>, DirectError> {
+        let mut velocities = velocities.to_vec();
+        velocities.sort();
+        velocities.dedup();
+        let between = |pair: &[BigRational]| {
+            let error = self.interpolation_error(&pair[0], &pair[1], &damping);
+            after_each();
+            error
+        };
+        let errors = velocities.par_windows(2).map(between).collect::<Result<Vec<_>, _>>()?;
+        let printed = 0.1_f64.powi(i32::try_from(digits).unwrap_or(i32::MAX)) + f64::EPSILON;
+        Ok(errors.into_iter().reduce(f64::max).map(|largest| largest + printed))
     }
 }

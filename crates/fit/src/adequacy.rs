@@ -7,6 +7,8 @@ use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor, StudentsT}
 
 /// How often sound data are called unsound: the level of [`Adequacy::is_doubtful`].
 pub const FALSE_ALARMS: f64 = 0.05;
+/// One sound table of so many is called doubtful.
+pub const TABLES_PER_FALSE_ALARM: f64 = 1.0 / FALSE_ALARMS;
 /// The part of the false alarms that is left to the test of a rise.
 const RISE_SHARE: f64 = 0.2;
 /// Residuals below it are rounding, of which nothing is tested.

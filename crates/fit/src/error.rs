@@ -30,6 +30,20 @@ pub enum FitError {
         /// The value that was given.
         value: f64,
     },
+    /// The acceleration of gravity must be positive and finite.
+    #[error("the acceleration of gravity must be positive, not {value:?}: give one such as 9.81 m/s^2")]
+    Gravity {
+        /// The value that was given.
+        value: f64,
+    },
+    /// A collision that is inverted alone has lost something and kept something.
+    #[error(
+        "a coefficient of restitution of {epsilon:?} has no damping that belongs to it: give a number strictly between 0 and 1"
+    )]
+    NothingLost {
+        /// The coefficient.
+        epsilon: f64,
+    },
     /// A duration must be positive and finite.
     #[error("a contact duration of {value:?} cannot be used: give a positive number")]
     Duration {

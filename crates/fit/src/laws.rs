@@ -59,6 +59,14 @@ pub struct LawFit {
 }
 
 impl LawFit {
+    /// A difference from which another law is clearly better: the odds are 3 to 1.
+    pub const CLEARLY: f64 = 2.0;
+
+    /// By how much the criterion exceeds that of another law; `None` if either has none.
+    pub fn behind(&self, other: &Self) -> Option<f64> {
+        Some(self.criterion? - other.criterion?)
+    }
+
     /// The fitted coefficient at a velocity in the unit of the table.
     pub fn epsilon(&self, velocity: f64) -> f64 {
         match self.law {

@@ -1,6 +1,7 @@
 //! One collision as it was measured.
 
 use crate::FitError;
+use restitution::Restitution;
 
 /// The largest coefficient that is taken for a noisy measurement: beyond it the rebound has four times the
 /// energy of the impact, and a percentage or a wrong column is likelier than noise.
@@ -117,6 +118,11 @@ impl Measurement {
     /// The coefficient of restitution.
     pub fn epsilon(&self) -> f64 {
         self.epsilon
+    }
+
+    /// By how much the coefficient exceeds that of a curve, whose velocities have the same unit.
+    pub fn residual(&self, curve: &Restitution) -> f64 {
+        self.epsilon - curve.epsilon(self.velocity)
     }
 
     /// The standard deviation of the coefficient, if it is known.

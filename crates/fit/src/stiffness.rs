@@ -2,7 +2,7 @@
 
 use crate::fit::quantile;
 use crate::{Fit, FitError, Measurement};
-use restitution::{Course, End, LARGEST_FOLLOWED_U};
+use restitution::{Contact, Course, End, LARGEST_FOLLOWED_U, MaterialError};
 
 /// Up to so many rows each duration is integrated; beyond, they are interpolated in a table of as many.
 const INTEGRATED: usize = 512;
@@ -24,6 +24,31 @@ pub struct Stiffness {
     pub rows: usize,
     /// The rows left out because their damping is beyond `u = 20`, up to which durations are known.
     pub beyond: usize,
+}
+
+impl Stiffness {
+    /// The relative standard error of [`per_mass`](Self::per_mass), a quarter of its interval.
+    pub fn per_mass_error(&self) -> f64 {
+        quarter(self.per_mass_interval)
+    }
+
+    /// The relative standard error of [`dissipative_constant`](Self::dissipative_constant), a quarter of its interval.
+    pub fn dissipative_error(&self) -> f64 {
+        quarter(self.dissipative_interval)
+    }
+
+    /// Returns the elastic contact of bodies with this effective radius (m) and mass (kg).
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError::NotPositive`], [`MaterialError::OutOfRange`].
+    pub fn contact(&self, radius: f64, mass: f64) -> Result<Contact, MaterialError> {
+        Contact::with_prefactor(radius, mass, self.per_mass * mass)
+    }
+}
+
+fn quarter((low, high): (f64, f64)) -> f64 {
+    0.25 * (high / low).ln()
 }
 
 /// Fits stiffness and damping to durations (s) of the collisions to which `fit` was made; `unit_size` is that of its velocities in m/s.

@@ -80,8 +80,8 @@ pub use {
         dissipative_constant, effective, sphere_mass,
     },
     impact::{
-        Course, LARGEST_FOLLOWED_U, Validity, Verdict, ViscoelasticContact, characteristic_velocity_from,
-        characteristic_velocity_from_loss, time_step_error, time_step_for,
+        Course, LARGEST_FOLLOWED_U, TimeStep, Validity, Verdict, ViscoelasticContact,
+        characteristic_velocity_from, characteristic_velocity_from_loss, time_step_error, time_step_for,
     },
 };
 

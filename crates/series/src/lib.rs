@@ -11,6 +11,7 @@ mod kernels;
 mod modular;
 mod print;
 mod recurrence;
+mod time_order;
 mod trajectories;
 mod turning_time;
 mod vanishing;
@@ -21,6 +22,7 @@ pub use coefficients::{Quantity, coefficients, coefficients_watched, memory_esti
 pub use delayed_recovery::DelayedRecovery;
 pub use error::SeriesError;
 pub use fractional_series::FractionalSeries;
+pub use time_order::TimeOrder;
 pub use trajectories::Trajectories;
 pub use turning_time::turning_time;
 

@@ -21,6 +21,65 @@ impl Cell {
         Self::Digits(value.to_string())
     }
 
+    /// Returns a number rounded to `digits` significant ones; without a limit, or none at all, as words say it.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution_table::Cell;
+    ///
+    /// assert_eq!(Cell::rounded(0.123_456, 3), Cell::Float(0.123));
+    /// assert_eq!(Cell::rounded(f64::INFINITY, 3), Cell::text("no limit"));
+    /// assert_eq!(Cell::rounded(f64::NAN, 3), Cell::text("-"));
+    /// ```
+    pub fn rounded(value: f64, digits: usize) -> Self {
+        if !value.is_finite() {
+            return Self::Text(if value > 0.0 { "no limit" } else { "-" }.to_owned());
+        }
+        Self::Float(format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value))
+    }
+
+    /// Returns a number rounded to `places` behind the decimal point.
+    pub fn decimals(value: f64, places: usize) -> Self {
+        Self::Float(format!("{value:.places$}").parse().unwrap_or(value))
+    }
+
+    /// Returns a bound with `digits` significant ones, rounded so that it is no smaller.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution_table::Cell;
+    ///
+    /// assert_eq!(Cell::upper_bound(1.01e-4, 2), Cell::digits("1.1e-4"));
+    /// assert_eq!(Cell::upper_bound(1.0e-4, 2), Cell::digits("1.0e-4"));
+    /// assert_eq!(Cell::upper_bound(9.99e-3, 2), Cell::digits("1.0e-2"));
+    /// ```
+    pub fn upper_bound(value: f64, digits: usize) -> Self {
+        let places = digits.saturating_sub(1);
+        let nearest = format!("{value:.places$e}");
+        let half_up = 0.5_f64.mul_add(0.1_f64.powi(i32::try_from(places).unwrap_or(i32::MAX)), 1.0);
+        let no_smaller = nearest.parse::<f64>().is_ok_and(|shown| shown >= value);
+        // half a unit of the last digit at most, relative to the number
+        Self::Digits(if no_smaller { nearest } else { format!("{:.places$e}", value * half_up) })
+    }
+
+    /// Returns a number with the digits that a relative error leaves, and one more; two at least, ten at most.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution_table::Cell;
+    ///
+    /// assert_eq!(Cell::uncertain(1.234_567, 1e-3), Cell::Float(1.2346));
+    /// assert_eq!(Cell::uncertain(1.234_567, 10.0), Cell::Float(1.2));
+    /// assert_eq!(Cell::uncertain(1.234_567, 0.0), Cell::Float(1.234_567)); // no error: ten digits
+    /// ```
+    pub fn uncertain(value: f64, relative_error: f64) -> Self {
+        let digits = if relative_error > 0.0 { (1.5 - relative_error.log10()).ceil() } else { 10.0 };
+        Self::rounded(value, digits.clamp(2.0, 10.0) as usize)
+    }
+
     /// Returns a text.
     pub fn text(value: impl ToString) -> Self {
         Self::Text(value.to_string())

@@ -103,12 +103,11 @@ impl FitArgs {
         let end = code.end(self.end)?;
         let result = fit(&data.rows, end, self.loss()).map_err(CliError::failure)?;
         let verdict = adequacy(&data.rows, &result).map_err(CliError::failure)?;
-        let stiffness = lasting(data, &result)?;
         let request = Request {
             bodies: &self.bodies,
             dissipation: Dissipation::Fitted {
-                g_star: result.characteristic_velocity * data.unit_size,
-                per_mass: stiffness.map(|found| found.per_mass),
+                g_star: data.in_si(result.characteristic_velocity),
+                stiffness: lasting(data, &result)?,
                 says: report::in_a_line(data, &result, &verdict),
             },
             velocities: Vec::new(),
@@ -151,7 +150,7 @@ impl FitArgs {
                 if let Some(found) = lasting(data, &result)? {
                     report::add_stiffness(&mut table, &found);
                     if self.bodies.is_given() {
-                        report::add_bodies(&mut table, &found, self.bodies.radius_and_mass()?);
+                        report::add_bodies(&mut table, &found, self.bodies.radius_and_mass()?)?;
                     }
                 }
                 table

@@ -12,9 +12,9 @@ use crate::progress::Progress;
 use crate::{Cell, CliError, OutputArgs, Table, args};
 use judgement::report;
 use num_rational::BigRational;
-use restitution_approximate::{Expansion, Judged, Request, Variable, constants, judge, shown};
+use restitution_approximate::{Expansion, Judged, Request, Variable, constants, judge, links};
 use restitution_direct::End;
-use restitution_pade::{PadeError, PadeType};
+use restitution_pade::PadeType;
 use std::path::PathBuf;
 
 /// The largest degree that is accepted.
@@ -180,9 +180,6 @@ impl PadeArgs {
     fn constants(&self) -> Result<Table, CliError> {
         let _progress = Progress::unknown("approximant");
         let (expansion, request) = (self.expansion()?, self.request(self.asked()));
-        if request.at_infinity > 0 {
-            fits_infinity(&expansion, &request)?;
-        }
         let judged = judge(&expansion, &request)?;
         let mut table = match self.form {
             Form::Quotient => quotient(&judged, request.digits)?,
@@ -192,19 +189,6 @@ impl PadeArgs {
         report(&mut table, &expansion, &request, &judged)?;
         Ok(table)
     }
-}
-
-/// Checks the degrees before any work is done.
-fn fits_infinity(expansion: &Expansion, request: &Request) -> Result<(), CliError> {
-    let (asked, decay) = (request.asked, expansion.decay()?);
-    if asked.numerator + decay != asked.denominator {
-        return Err(PadeError::WrongDecay { asked, decay }.into());
-    }
-    let (conditions, limit) = (request.at_infinity, asked.denominator);
-    if conditions > limit {
-        return Err(PadeError::TooManyConditions { asked, conditions, limit }.into());
-    }
-    Ok(())
 }
 
 fn title(expansion: &Expansion, request: &Request, law: &str) -> String {
@@ -226,14 +210,9 @@ fn quotient(judged: &Judged, digits: usize) -> Result<Table, CliError> {
 }
 
 fn continued_fraction(judged: &Judged, digits: usize) -> Result<Table, CliError> {
-    let fraction = judged.approximant.continued_fraction()?;
     let mut table = Table::new(&["link", "power", "value"]);
-    let constant = (0, fraction.constant.clone());
-    let links = fraction.links.into_iter().map(|link| (link.power, link.coefficient));
-    for (k, (power, value)) in std::iter::once(constant).chain(links).enumerate() {
-        let undecided = PadeError::Undecided { what: "the last digit of a link" };
-        let text = shown(&value, digits).ok_or(undecided)?;
-        table.push(vec![k.into(), power.into(), Cell::Digits(text)]);
+    for (k, (power, value)) in links(&judged.approximant, digits)?.into_iter().enumerate() {
+        table.push(vec![k.into(), power.into(), Cell::Digits(value)]);
     }
     Ok(table)
 }

@@ -96,10 +96,15 @@ impl Data {
         Reader::new(&sheet, selection?, options)?.read()
     }
 
+    /// A velocity in the unit of the table, in m/s.
+    pub fn in_si(&self, velocity: f64) -> f64 {
+        velocity * self.unit_size
+    }
+
     /// Keeps the rows with velocities between `low` and `high`, in m/s, ends included; returns how many were left out.
     pub fn keep_between(&mut self, low: f64, high: f64) -> usize {
         let before = self.rows.len();
-        let inside = |row: &Measurement| (low..=high).contains(&(row.velocity() * self.unit_size));
+        let inside = |row: &Measurement| (low..=high).contains(&self.in_si(row.velocity()));
         let kept = self.rows.iter().map(inside).collect::<Vec<_>>();
         let mut flags = kept.iter();
         self.lines.retain(|_| *flags.next().unwrap_or(&true));

@@ -1,6 +1,7 @@
 //! Hertz's contact of two spheres, or of a sphere and a plane.
 
 use crate::bodies::error::{in_range, positive};
+use crate::bodies::material::sphere_mass;
 use crate::{Material, MaterialError, Sphere, fifth_root};
 
 /// The body that a sphere meets when it is not a sphere.
@@ -70,6 +71,41 @@ impl Contact {
     pub fn with_prefactor(radius: f64, mass: f64, rho: f64) -> Result<Self, MaterialError> {
         let rho = positive("force prefactor", rho)?;
         Self::new(radius, mass, 0.75 * rho / positive("effective radius", radius)?.sqrt())
+    }
+
+    /// Returns the contact of the given effective radius (m) and mass (kg) of two bodies of one material, of Young's modulus `young` (Pa).
+    ///
+    /// # Errors
+    ///
+    /// As [`Contact::new`], and [`MaterialError::PoissonRatio`] outside (-1, 1/2].
+    pub fn of_one_material(radius: f64, mass: f64, young: f64, poisson: f64) -> Result<Self, MaterialError> {
+        if !(poisson > -1.0 && poisson <= 0.5) {
+            return Err(MaterialError::PoissonRatio { value: poisson });
+        }
+        Self::new(radius, mass, 0.5 * young / ((1.0 - poisson) * (1.0 + poisson)))
+    }
+
+    /// Returns the contact of two equal spheres of the given radius (m) and density (kg/m^3), with a known effective modulus (Pa).
+    ///
+    /// # Errors
+    ///
+    /// As [`Contact::new`].
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution::{Contact, Material, Sphere};
+    ///
+    /// let glass = Material::new(63e9, 0.23, 2500.0)?;
+    /// let alike = Contact::of_equal_spheres(1e-3, 2500.0, glass.effective_modulus())?;
+    /// let bead = Sphere::new(glass, 1e-3)?;
+    /// assert_eq!(alike, Contact::of_spheres(&bead, &bead)?);
+    ///
+    /// assert!(Contact::of_equal_spheres(1e-3, -1.0, 1e9).is_err());
+    /// # Ok::<(), restitution::MaterialError>(())
+    /// ```
+    pub fn of_equal_spheres(radius: f64, density: f64, modulus: f64) -> Result<Self, MaterialError> {
+        Self::new(0.5 * radius, 0.5 * sphere_mass(radius, density), modulus)
     }
 
     /// Returns the contact of two spheres.

@@ -57,6 +57,11 @@ pub enum MaterialError {
         /// The damping parameter `u`.
         u: f64,
     },
+    /// The lines of the code name the materials of both bodies.
+    MaterialsMissing {
+        /// The code.
+        code: &'static str,
+    },
     /// No input of the code makes this coefficient.
     EpsilonNotOffered {
         /// The code.
@@ -89,6 +94,12 @@ impl fmt::Display for MaterialError {
                 f,
                 "a coefficient of restitution of {value:?} has no damping that belongs to it: give a number strictly between 0 and 1"
             ),
+            Self::MaterialsMissing { code } => {
+                write!(
+                    f,
+                    "{code} is told the materials of both bodies: give Young's modulus and Poisson's ratio"
+                )
+            }
             Self::FormulaDiverges => write!(
                 f,
                 "eq. (4) divides by the square of Poisson's ratio, which is 0: use the formula of 2015"

@@ -6,6 +6,7 @@
 mod chrono;
 mod constant_code;
 mod constant_law;
+mod constant_lines;
 mod esys;
 mod lammps;
 mod liggghts;
@@ -16,6 +17,7 @@ mod yade;
 pub use chrono::Chrono;
 pub use constant_code::ConstantCode;
 pub use constant_law::ConstantRestitution;
+pub use constant_lines::{ConstantBodies, Elastic};
 pub use esys::EsysParticle;
 pub use lammps::{LammpsGranular, LammpsHertzHistory};
 pub use liggghts::Liggghts;

@@ -7,5 +7,5 @@ mod validity;
 
 pub use collision::{ViscoelasticContact, characteristic_velocity_from, characteristic_velocity_from_loss};
 pub use course::{Course, LARGEST_FOLLOWED_U};
-pub use time_step::{time_step_error, time_step_for};
+pub use time_step::{TimeStep, time_step_error, time_step_for};
 pub use validity::{Validity, Verdict};

@@ -1,7 +1,7 @@
 //! The time step that a discrete-element code needs for a wanted error of epsilon.
 
-use crate::MaterialError;
 use crate::bodies::error::positive;
+use crate::{MaterialError, ViscoelasticContact};
 
 /// The largest `u` at which the error was measured.
 pub const LARGEST_U: f64 = 20.0;
@@ -69,4 +69,64 @@ fn error_per_step(u: f64) -> Result<f64, MaterialError> {
         return Err(MaterialError::TimeStepRange { u, largest: LARGEST_U });
     }
     Ok(FLOOR + GROWTH * u.min(1.0))
+}
+
+/// A time step of a code at one impact velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimeStep {
+    /// The step `dt`, in s.
+    pub seconds: f64,
+    /// `dt/tau`, in the time unit of [`Contact::time_unit`](crate::Contact::time_unit).
+    pub per_time_unit: f64,
+    /// The bound of the error that it causes in epsilon.
+    pub error: f64,
+}
+
+impl TimeStep {
+    /// The step as a share of another time, in s.
+    pub fn share_of(&self, seconds: f64) -> f64 {
+        self.seconds / seconds
+    }
+}
+
+impl ViscoelasticContact {
+    /// Returns the largest time step at an impact velocity (m/s) whose error of epsilon is at most `error`, by [`time_step_for`].
+    ///
+    /// # Errors
+    ///
+    /// Those of [`time_step_for`], and [`MaterialError::NotPositive`] for a velocity that is not positive.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution::{Contact, MaterialError, ViscoelasticContact};
+    ///
+    /// let pair = ViscoelasticContact::new(Contact::new(0.01, 0.1, 1e9)?, 1e-5)?;
+    /// let step = pair.time_step_for(0.5, 1e-4)?;
+    /// assert_eq!(pair.time_step(0.5, step.seconds)?.seconds, step.seconds);
+    /// assert!((pair.time_step(0.5, step.seconds)?.error / 1e-4 - 1.0).abs() < 1e-12);
+    ///
+    /// assert!(pair.time_step_for(0.5, 0.0).is_err());
+    /// # Ok::<(), MaterialError>(())
+    /// ```
+    pub fn time_step_for(&self, velocity: f64, error: f64) -> Result<TimeStep, MaterialError> {
+        let (u, tau) = (self.u(velocity)?, self.contact().time_unit(velocity)?);
+        let per_time_unit = time_step_for(u, error)?;
+        Ok(TimeStep {
+            seconds: per_time_unit * tau,
+            per_time_unit,
+            error: time_step_error(u, per_time_unit)?,
+        })
+    }
+
+    /// Returns what a time step (s) does at an impact velocity (m/s), by [`time_step_error`].
+    ///
+    /// # Errors
+    ///
+    /// Those of [`time_step_error`], and [`MaterialError::NotPositive`] for a velocity that is not positive.
+    pub fn time_step(&self, velocity: f64, seconds: f64) -> Result<TimeStep, MaterialError> {
+        let (u, tau) = (self.u(velocity)?, self.contact().time_unit(velocity)?);
+        let per_time_unit = seconds / tau;
+        Ok(TimeStep { seconds, per_time_unit, error: time_step_error(u, per_time_unit)? })
+    }
 }

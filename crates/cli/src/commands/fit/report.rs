@@ -1,14 +1,13 @@
 //! The tables of a fit.
 
-use crate::commands::material::ten_digits;
-use crate::{Cell, Table};
+use crate::{Cell, CliError, Table};
 use restitution::End;
-use restitution_fit::{Adequacy, Data, Departure, FALSE_ALARMS, Fit, Law, LawFit, Stiffness};
+use restitution_fit::{
+    Adequacy, Data, Departure, FALSE_ALARMS, Fit, Law, LawFit, Stiffness, TABLES_PER_FALSE_ALARM,
+};
 
 /// How many lines of a table are named in a note.
 const NAMED_LINES: usize = 5;
-/// A difference of AICc from which another law is called better: the odds are 3 to 1.
-const CLEARLY_BETTER: f64 = 2.0;
 
 /// The characteristic velocity and whether it means anything.
 pub(super) fn summary(data: &Data, fit: &Fit, verdict: &Adequacy, laws: &[LawFit]) -> Table {
@@ -17,17 +16,17 @@ pub(super) fn summary(data: &Data, fit: &Fit, verdict: &Adequacy, laws: &[LawFit
         table.push(vec![quantity.into(), symbol.into(), value, unit.into()]);
     };
     let (low, high) = fit.interval;
-    let significant = |value| statistic(value, fit.log_error);
+    let significant = |value| Cell::uncertain(value, fit.log_error);
     add("characteristic velocity", "g*", significant(fit.characteristic_velocity), &data.unit);
     add("lower end, 95 % confidence", "g*_low", significant(low), &data.unit);
     add("upper end, 95 % confidence", "g*_high", significant(high), &data.unit);
-    add("standard error of ln g*", "s_ln", rounded(fit.log_error, 3), "");
-    add("scatter of epsilon", "s", rounded(fit.scatter, 3), "");
-    add("largest residual of epsilon", "r", rounded(fit.largest_residual, 3), "");
+    add("standard error of ln g*", "s_ln", Cell::rounded(fit.log_error, 3), "");
+    add("scatter of epsilon", "s", Cell::rounded(fit.scatter, 3), "");
+    add("largest residual of epsilon", "r", Cell::rounded(fit.largest_residual, 3), "");
     add("line of the largest residual", "", line(data, fit.largest_residual_row), "");
     add("rows", "n", fit.rows.into(), "");
     add("rows that count less", "", fit.outliers.into(), "");
-    add("chance of such a misfit", "p", verdict.p().map_or(Cell::Empty, |p| rounded(p, 2)), "");
+    add("chance of such a misfit", "p", verdict.p().map_or(Cell::Empty, |p| Cell::rounded(p, 2)), "");
     for remark in &data.remarks {
         table.note(remark);
     }
@@ -41,16 +40,16 @@ pub(super) fn add_stiffness(table: &mut Table, found: &Stiffness) {
     let mut add = |quantity: &str, symbol: &str, value: Cell, unit: &str| {
         table.push(vec![quantity.into(), symbol.into(), value, unit.into()]);
     };
-    let error = |(low, high): (f64, f64)| 0.25 * (high / low).ln();
     let (stiff, damped) = (found.per_mass_interval, found.dissipative_interval);
+    let (stiff_error, damped_error) = (found.per_mass_error(), found.dissipative_error());
     let rate = "m^(-1/2) s^(-2)";
-    add("stiffness over mass", "rho/m_eff", statistic(found.per_mass, error(stiff)), rate);
-    add("lower end, 95 % confidence", "", statistic(stiff.0, error(stiff)), rate);
-    add("upper end, 95 % confidence", "", statistic(stiff.1, error(stiff)), rate);
-    add("dissipative constant", "A", statistic(found.dissipative_constant, error(damped)), "s");
-    add("lower end, 95 % confidence", "A_low", statistic(damped.0, error(damped)), "s");
-    add("upper end, 95 % confidence", "A_high", statistic(damped.1, error(damped)), "s");
-    add("relative scatter of durations", "s_t", rounded(found.scatter, 3), "");
+    add("stiffness over mass", "rho/m_eff", Cell::uncertain(found.per_mass, stiff_error), rate);
+    add("lower end, 95 % confidence", "", Cell::uncertain(stiff.0, stiff_error), rate);
+    add("upper end, 95 % confidence", "", Cell::uncertain(stiff.1, stiff_error), rate);
+    add("dissipative constant", "A", Cell::uncertain(found.dissipative_constant, damped_error), "s");
+    add("lower end, 95 % confidence", "A_low", Cell::uncertain(damped.0, damped_error), "s");
+    add("upper end, 95 % confidence", "A_high", Cell::uncertain(damped.1, damped_error), "s");
+    add("relative scatter of durations", "s_t", Cell::rounded(found.scatter, 3), "");
     if found.beyond > 0 {
         table
             .note(format!("{} durations beyond u = 20, up to which they are known, left out.", found.beyond));
@@ -58,19 +57,24 @@ pub(super) fn add_stiffness(table: &mut Table, found: &Stiffness) {
 }
 
 /// Adds what follows for bodies of known effective radius (m) and mass (kg).
-pub(super) fn add_bodies(table: &mut Table, found: &Stiffness, (radius, mass): (f64, f64)) {
-    let relative = 0.25 * (found.per_mass_interval.1 / found.per_mass_interval.0).ln();
-    let rho = found.per_mass * mass;
+pub(super) fn add_bodies(
+    table: &mut Table,
+    found: &Stiffness,
+    (radius, mass): (f64, f64),
+) -> Result<(), CliError> {
+    let contact = found.contact(radius, mass).map_err(CliError::usage)?;
     let mut add = |quantity: &str, symbol: &str, value: f64, unit: &str| {
-        table.push(vec![quantity.into(), symbol.into(), statistic(value, relative), unit.into()]);
+        let value = Cell::uncertain(value, found.per_mass_error());
+        table.push(vec![quantity.into(), symbol.into(), value, unit.into()]);
     };
-    add("force prefactor", "rho", rho, "N/m^(3/2)");
-    add("effective modulus", "E", 0.75 * rho / radius.sqrt(), "Pa");
+    add("force prefactor", "rho", contact.force_prefactor(), "N/m^(3/2)");
+    add("effective modulus", "E", contact.effective_modulus(), "Pa");
+    Ok(())
 }
 
 /// What was fitted, for a remark.
 pub(super) fn in_a_line(data: &Data, fit: &Fit, verdict: &Adequacy) -> String {
-    let significant = |value| statistic(value, fit.log_error).plain();
+    let significant = |value| Cell::uncertain(value, fit.log_error).plain();
     let (low, high) = fit.interval;
     let doubt = match (verdict.rises(), verdict.is_doubtful()) {
         (true, _) => "; but epsilon rises with the velocity, which no viscoelastic body does",
@@ -95,14 +99,14 @@ fn judge(table: &mut Table, fit: &Fit, verdict: &Adequacy, laws: &[LawFit]) {
         table.note(format!(
             "The data do not follow the curve of a viscoelastic collision (p {}; sound data give p < {FALSE_ALARMS} once in {:.0} tables): g* is less certain than its interval says.",
             chance(verdict.p().unwrap_or(0.0)),
-            1.0 / FALSE_ALARMS,
+            TABLES_PER_FALSE_ALARM,
         ));
     } else if verdict.tests.is_empty() && fit.rows < 3 {
         table.note("Two rows leave nothing to test the law with.");
     }
-    let own = laws.iter().find(|other| other.law == Law::Viscoelastic(fit.end)).and_then(|own| own.criterion);
+    let own = laws.iter().find(|other| other.law == Law::Viscoelastic(fit.end));
     if let (Some(best), Some(own)) = (laws.first(), own)
-        && let Some(difference) = best.criterion.map(|best| own - best).filter(|d| *d > CLEARLY_BETTER)
+        && let Some(difference) = own.behind(best).filter(|difference| *difference > LawFit::CLEARLY)
     {
         table.note(format!(
             "{} fits better (AICc lower by {difference:.1}); see --table laws.",
@@ -129,8 +133,13 @@ pub(super) fn residuals(data: &Data, fit: &Fit) -> Table {
     let curve = fit.curve();
     for (row, line) in data.rows.iter().zip(&data.lines) {
         let fitted = curve.epsilon(row.velocity());
-        let cells = [row.velocity(), row.epsilon(), fitted, row.epsilon() - fitted];
-        table.push([Cell::from(*line as usize)].into_iter().chain(cells.map(ten_digits)).collect());
+        let cells = [row.velocity(), row.epsilon(), fitted, row.residual(&curve)];
+        table.push(
+            [Cell::from(*line as usize)]
+                .into_iter()
+                .chain(cells.map(|value| Cell::rounded(value, 10)))
+                .collect(),
+        );
     }
     table.note(format!("Velocities in {}.", data.unit));
     table
@@ -140,7 +149,6 @@ pub(super) fn residuals(data: &Data, fit: &Fit) -> Table {
 pub(super) fn laws(data: &Data, fits: &[LawFit]) -> Table {
     let mut table =
         Table::new(&["law", "formula", "parameter", "value", "unit", "q", "residual", "AICc", "difference"]);
-    let best = fits.first().and_then(|fit| fit.criterion);
     for fit in fits {
         let (formula, parameter, unit) = match fit.law {
             Law::Viscoelastic(_) => ("exact", "g*", data.unit.as_str()),
@@ -149,19 +157,17 @@ pub(super) fn laws(data: &Data, fits: &[LawFit]) -> Table {
             Law::Plastic => ("(g/c)^(-1/4)", "c", data.unit.as_str()),
             Law::Power => ("c g^(-q)", "c", ""),
         };
-        let criterion = |value: Option<f64>| {
-            value.map_or(Cell::Empty, |value| Cell::Float((value * 100.0).round() / 100.0))
-        };
+        let criterion = |value: Option<f64>| value.map_or(Cell::Empty, |value| Cell::decimals(value, 2));
         table.push(vec![
             Cell::text(name(fit.law)),
             formula.into(),
             parameter.into(),
-            rounded(fit.scale, 4),
+            Cell::rounded(fit.scale, 4),
             unit.into(),
-            fit.exponent.map_or(Cell::Empty, |q| rounded(q, 4)),
-            rounded(fit.residual, 3),
+            fit.exponent.map_or(Cell::Empty, |q| Cell::rounded(q, 4)),
+            Cell::rounded(fit.residual, 3),
             criterion(fit.criterion),
-            criterion(fit.criterion.zip(best).map(|(own, best)| own - best)),
+            criterion(fits.first().and_then(|best| fit.behind(best))),
         ]);
     }
     for remark in &data.remarks {
@@ -191,9 +197,9 @@ pub(super) fn tests(verdict: &Adequacy, fit: &Fit) -> Table {
         table.push(vec![
             departure.into(),
             kind.into(),
-            rounded(test.statistic, 4),
+            Cell::rounded(test.statistic, 4),
             Cell::Text(degrees),
-            rounded(test.p, 3),
+            Cell::rounded(test.p, 3),
         ]);
     }
     match verdict.p() {
@@ -205,7 +211,7 @@ pub(super) fn tests(verdict: &Adequacy, fit: &Fit) -> Table {
             } else {
                 "nothing speaks against the law"
             },
-            1.0 / FALSE_ALARMS,
+            TABLES_PER_FALSE_ALARM,
         )),
         None if fit.rows < 3 => table.note("Two rows leave nothing to test the law with."),
         None => table.note("The curve passes through every row."),
@@ -232,23 +238,9 @@ fn capital(name: &str) -> String {
 
 /// `= 0.012`, or `< 1e-9`, beyond which no noise is normal.
 fn chance(p: f64) -> String {
-    if p < 1e-9 { "< 1e-9".to_owned() } else { format!("= {}", rounded(p, 2).plain()) }
+    if p < 1e-9 { "< 1e-9".to_owned() } else { format!("= {}", Cell::rounded(p, 2).plain()) }
 }
 
 fn line(data: &Data, row: usize) -> Cell {
     data.lines.get(row).map_or(Cell::Empty, |line| (*line as usize).into())
-}
-
-/// A fitted value to the digits its error leaves, and one more; ten at most.
-fn statistic(value: f64, relative_error: f64) -> Cell {
-    let digits = if relative_error > 0.0 { (1.5 - relative_error.log10()).ceil() } else { 10.0 };
-    rounded(value, digits.clamp(2.0, 10.0) as usize)
-}
-
-/// A number rounded to some significant digits.
-fn rounded(value: f64, digits: usize) -> Cell {
-    if !value.is_finite() {
-        return Cell::Text(if value > 0.0 { "no limit" } else { "-" }.to_owned());
-    }
-    Cell::Float(format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value))
 }

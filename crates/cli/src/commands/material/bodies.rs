@@ -148,14 +148,16 @@ impl BodyArgs {
     /// The elastic contact.
     pub(super) fn contact(&self) -> Result<Contact, CliError> {
         if let (Some(radius), Some(mass)) = (&self.effective_radius, &self.effective_mass) {
-            let modulus = match &self.effective_modulus {
-                Some(modulus) => modulus.to_f64(),
+            let (radius, mass) = (radius.to_f64(), mass.to_f64());
+            let contact = match &self.effective_modulus {
+                Some(modulus) => Contact::new(radius, mass, modulus.to_f64()),
                 None => {
-                    0.5 * required(&self.young, "--effective-modulus or --young")?.to_f64()
-                        / self.plane_strain()?
+                    let young = required(&self.young, "--effective-modulus or --young")?.to_f64();
+                    let poisson = required(&self.poisson, "--poisson")?.to_f64();
+                    Contact::of_one_material(radius, mass, young, poisson)
                 }
             };
-            return Contact::new(radius.to_f64(), mass.to_f64(), modulus).map_err(CliError::usage);
+            return contact.map_err(CliError::usage);
         }
         self.complete()?;
         let sphere = self.sphere()?;
@@ -195,8 +197,7 @@ impl BodyArgs {
         Ok(Some(if second.sound_speed() < first.sound_speed() { second } else { first }))
     }
 
-    /// The time `pi R sqrt(density/G)/(0.1631 nu + 0.8766)` that a Rayleigh wave takes around a sphere, `G = Y/(2 (1 + nu))`, the
-    /// shorter of both spheres; `None` if they are not given in full.
+    /// The time that a Rayleigh wave takes around a sphere, the shorter of both; `None` if they are not given in full.
     pub(super) fn rayleigh_time(&self) -> Result<Option<f64>, CliError> {
         if [&self.young, &self.density, &self.radius].iter().any(|given| given.is_none())
             || self.poisson.is_none()
@@ -204,15 +205,9 @@ impl BodyArgs {
             return Ok(None);
         }
         let first = self.sphere()?;
-        let time = |sphere: &Sphere| {
-            let (young, poisson, density) =
-                (sphere.material().young(), sphere.material().poisson(), sphere.material().density());
-            let shear = young / (2.0 * (1.0 + poisson));
-            std::f64::consts::PI * sphere.radius() * (density / shear).sqrt() / (0.1631 * poisson + 0.8766)
-        };
         Ok(Some(match self.against {
-            Against::Sphere => time(&first).min(time(&self.second_sphere(&first)?)),
-            _ => time(&first),
+            Against::Sphere => first.rayleigh_time().min(self.second_sphere(&first)?.rayleigh_time()),
+            _ => first.rayleigh_time(),
         }))
     }
 
@@ -257,11 +252,11 @@ impl BodyArgs {
             return Ok(None);
         }
         let moduli = match (self.has_two_materials(), self.second_material()?) {
-            (true, Some(second)) => [self.material()?, second].map(|material| 0.5 / material.compliance()),
+            (true, Some(second)) => [self.material()?, second].map(|material| material.effective_modulus()),
             _ => [met.effective_modulus(); 2],
         };
         let alike = |radius: f64, density: f64, modulus: f64| {
-            Contact::new(0.5 * radius, 0.5 * sphere_mass(radius, density), modulus).map_err(CliError::usage)
+            Contact::of_equal_spheres(radius, density, modulus).map_err(CliError::usage)
         };
         Ok(Some([alike(radius, density, moduli[0])?, alike(radius2, density2, moduli[1])?]))
     }
@@ -285,14 +280,6 @@ impl BodyArgs {
         let material = self.second_material()?.unwrap_or(*first.material());
         let radius = self.radius2.as_ref().map_or(first.radius(), Quantity::to_f64);
         Sphere::new(material, radius).map_err(CliError::usage)
-    }
-
-    fn plane_strain(&self) -> Result<f64, CliError> {
-        let nu = required(&self.poisson, "--poisson")?.to_f64();
-        match nu > -1.0 && nu <= 0.5 {
-            true => Ok((1.0 - nu) * (1.0 + nu)),
-            false => Err(CliError::usage(restitution::MaterialError::PoissonRatio { value: nu })),
-        }
     }
 }
 

@@ -81,14 +81,14 @@ impl DampingArgs {
         let measured = self.measured()?;
         if let (Some(measured), Some(duration)) = (&measured, &self.measured.duration) {
             let (radius, mass) = bodies.radius_and_mass()?;
-            let (velocity, lost) = (measured.velocity, measured.lost);
+            let (velocity, lost) = (measured.loss.velocity(), measured.loss.lost());
             let pair =
                 ViscoelasticContact::from_duration(radius, mass, velocity, lost, duration.to_f64(), end);
             return pair.map(Some).map_err(CliError::usage);
         }
         let contact = bodies.contact()?;
         let pair = if let Some(measured) = measured {
-            ViscoelasticContact::from_loss(contact, measured.velocity, measured.lost, end)
+            ViscoelasticContact::from_loss(contact, measured.loss.velocity(), measured.loss.lost(), end)
         } else if let Some(g_star) = &self.g_star {
             ViscoelasticContact::from_characteristic_velocity(contact, g_star.to_f64())
         } else if let Some(a) = self.constant(bodies)? {

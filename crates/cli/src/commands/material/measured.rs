@@ -3,9 +3,8 @@
 use crate::CliError;
 use crate::exact::{Exact, NumberError};
 use crate::units::{self, Dimension, Quantity};
-use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive};
-use restitution_fit::STANDARD_GRAVITY;
+use num_traits::{Signed, Zero};
+use restitution_fit::{FitError, MeasuredLoss, STANDARD_GRAVITY};
 
 /// Arguments that say what was measured of one collision.
 #[derive(Debug, clap::Args)]
@@ -33,10 +32,8 @@ pub(in crate::commands) struct MeasuredArgs {
 
 /// What a measurement says.
 pub(super) struct Measured {
-    /// The impact velocity, in m/s.
-    pub(super) velocity: f64,
-    /// `1 - epsilon`, from the numbers as they were typed.
-    pub(super) lost: f64,
+    /// Velocity and loss, from the numbers as they were typed.
+    pub(super) loss: MeasuredLoss,
     /// In words, as `epsilon = 0.5 at 1cm/s`.
     pub(super) text: String,
 }
@@ -54,43 +51,40 @@ impl MeasuredArgs {
     /// The measured collision, if one was given.
     pub(super) fn get(&self) -> Result<Option<Measured>, CliError> {
         if let Some((velocity, epsilon)) = &self.measured {
-            let lost = BigRational::one() - epsilon.value();
-            let text = format!("epsilon = {epsilon} at {velocity}");
-            return Measured::new(velocity.to_f64(), to_f64(&lost), text).map(Some);
+            let loss =
+                MeasuredLoss::of_coefficient(velocity.si(), epsilon.value()).map_err(CliError::usage)?;
+            return Ok(Some(Measured { loss, text: format!("epsilon = {epsilon} at {velocity}") }));
         }
         if let Some([before, after]) = &self.speeds {
-            let before_si = positive("speed before", before)?;
-            let ratio = after.si().abs() / before_si;
-            let velocity = before.to_f64().abs();
-            return self.derived(
-                velocity,
-                to_f64(&(BigRational::one() - ratio)),
-                format!("of speeds {before} before, {after} after"),
-            );
+            if before.si().is_zero() {
+                return Err(not_positive("speed before", before));
+            }
+            let loss = MeasuredLoss::of_speeds(before.si(), after.si());
+            return derived(loss, &format!("of speeds {before} before, {after} after"));
         }
         if let Some([drop, rebound]) = &self.heights {
-            let ratio = positive("height of the rebound", rebound)? / positive("height of the drop", drop)?;
-            let velocity = (2.0 * self.acceleration()? * drop.to_f64()).sqrt();
-            let lost = to_f64(&(BigRational::one() - &ratio)) / (1.0 + to_f64(&ratio).sqrt()); // 1 - sqrt(ratio)
-            return self.derived(velocity, lost, format!("of a drop from {drop} and a rebound to {rebound}"));
+            for (what, height) in [("height of the rebound", rebound), ("height of the drop", drop)] {
+                if !height.si().is_positive() {
+                    return Err(not_positive(what, height));
+                }
+            }
+            let loss = MeasuredLoss::of_heights(drop.si(), rebound.si(), self.acceleration()?);
+            return derived(loss, &format!("of a drop from {drop} and a rebound to {rebound}"));
         }
-        if let Some([one, two, three]) = &self.bounce_times {
-            let (first, second) = (two.si() - one.si(), three.si() - two.si());
-            if !first.is_positive() || !second.is_positive() {
+        if let Some(times) = &self.bounce_times {
+            let [one, two, three] = times;
+            let loss = MeasuredLoss::of_impacts(
+                &times.each_ref().map(|time| time.si().clone()),
+                self.acceleration()?,
+            );
+            if let Err(FitError::BounceTimes { .. }) = loss {
                 return Err(CliError::usage(
                     "the times of impacts do not increase: give three, each later than the one before",
                 ));
             }
-            let velocity = 0.5 * self.acceleration()? * to_f64(&first);
-            let lost = to_f64(&(BigRational::one() - second / first));
-            return self.derived(velocity, lost, format!("of impacts at {one}, {two} and {three}"));
+            return derived(loss, &format!("of impacts at {one}, {two} and {three}"));
         }
         Ok(None)
-    }
-
-    fn derived(&self, velocity: f64, lost: f64, origin: String) -> Result<Option<Measured>, CliError> {
-        let text = format!("epsilon = {:.6} at {velocity:.6} m/s, {origin}", 1.0 - lost);
-        Measured::new(velocity, lost, text).map(Some)
     }
 
     fn acceleration(&self) -> Result<f64, CliError> {
@@ -102,25 +96,14 @@ impl MeasuredArgs {
     }
 }
 
-impl Measured {
-    fn new(velocity: f64, lost: f64, text: String) -> Result<Self, CliError> {
-        if lost > 0.0 && lost < 1.0 {
-            return Ok(Self { velocity, lost, text });
-        }
-        Err(CliError::usage(restitution::MaterialError::Epsilon { value: 1.0 - lost }))
-    }
+fn derived(loss: Result<MeasuredLoss, FitError>, origin: &str) -> Result<Option<Measured>, CliError> {
+    let loss = loss.map_err(CliError::usage)?;
+    let text = format!("epsilon = {:.6} at {:.6} m/s, {origin}", loss.epsilon(), loss.velocity());
+    Ok(Some(Measured { loss, text }))
 }
 
-fn to_f64(value: &BigRational) -> f64 {
-    value.to_f64().unwrap_or(f64::NAN)
-}
-
-fn positive(what: &str, quantity: &Quantity) -> Result<BigRational, CliError> {
-    let size = quantity.si().abs();
-    if size.is_positive() && (quantity.si().is_positive() || what.starts_with("speed")) {
-        return Ok(size);
-    }
-    Err(CliError::usage(format!("the {what} is {quantity}: give a positive one")))
+fn not_positive(what: &str, quantity: &Quantity) -> CliError {
+    CliError::usage(format!("the {what} is {quantity}: give a positive one"))
 }
 
 fn measured(text: &str) -> Result<(Quantity, Exact), String> {

@@ -6,8 +6,6 @@ pub(in crate::commands) mod damping;
 mod measured;
 mod report;
 
-pub(super) use report::ten_digits;
-
 use crate::args::EndOfContact;
 use crate::exact::{Exact, at_least_zero};
 use crate::list::{self, List};

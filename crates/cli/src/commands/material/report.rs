@@ -2,9 +2,7 @@
 
 use crate::{Cell, CliError, Table};
 use restitution::codes::ConstantRestitution;
-use restitution::{
-    Contact, End, Material, Validity, Verdict, ViscoelasticContact, time_step_error, time_step_for,
-};
+use restitution::{Contact, End, Material, Validity, Verdict, ViscoelasticContact};
 
 /// What is known about a contact.
 pub(super) struct Report {
@@ -76,25 +74,24 @@ impl Report {
 
     fn add_time_step(&self, rows: &mut Rows, pair: &ViscoelasticContact, g: f64) -> Result<(), CliError> {
         let usage = CliError::usage;
-        let (u, tau) = (pair.u(g).map_err(usage)?, self.contact.time_unit(g).map_err(usage)?);
         let step = match (self.error, self.time_step) {
             (Some(error), _) => {
-                let step = time_step_for(u, error).map_err(usage)? * tau;
-                rows.add("time step", "dt", step, "s", &format!("error of epsilon at most {error}"));
+                let step = pair.time_step_for(g, error).map_err(usage)?;
+                rows.add("time step", "dt", step.seconds, "s", &format!("error of epsilon at most {error}"));
                 step
             }
-            (None, Some(step)) => {
-                let error = time_step_error(u, step / tau).map_err(usage)?;
-                rows.add("time step", "dt", step, "s", "");
-                rows.add("error of epsilon", "d_eps", error, "", "at most");
+            (None, Some(seconds)) => {
+                let step = pair.time_step(g, seconds).map_err(usage)?;
+                rows.add("time step", "dt", seconds, "s", "");
+                rows.add("error of epsilon", "d_eps", step.error, "", "at most");
                 step
             }
             (None, None) => return Ok(()),
         };
-        rows.add("time step / time unit", "dt/tau", step / tau, "", "");
+        rows.add("time step / time unit", "dt/tau", step.per_time_unit, "", "");
         if let Some(rayleigh) = self.rayleigh {
             rows.add("Rayleigh time", "t_R", rayleigh, "s", "of the smaller or stiffer sphere");
-            rows.add("time step / Rayleigh time", "dt/t_R", step / rayleigh, "", "");
+            rows.add("time step / Rayleigh time", "dt/t_R", step.share_of(rayleigh), "", "");
         }
         Ok(())
     }
@@ -105,7 +102,12 @@ pub(super) fn constant_law(law: &ConstantRestitution, ends: &[End]) -> Table {
     let mut rows = Rows(Table::new(&["quantity", "symbol", "value", "note"]), String::new());
     for end in ends {
         let note = if *end == End::ZeroForce { "to zero force" } else { "to zero compression" };
-        rows.0.push(vec!["restitution".into(), "epsilon".into(), ten_digits(law.epsilon(*end)), note.into()]);
+        rows.0.push(vec![
+            "restitution".into(),
+            "epsilon".into(),
+            Cell::rounded(law.epsilon(*end), 10),
+            note.into(),
+        ]);
     }
     rows.0.note("This input damps with xi^(1/4): the coefficient is the same at every velocity, unlike that of a viscoelastic body.");
     rows.0
@@ -125,13 +127,14 @@ struct Rows(Table, String);
 impl Rows {
     fn add(&mut self, quantity: &str, symbol: &str, value: f64, unit: &str, note: &str) {
         let velocity = self.1.as_str().into();
-        let cells =
-            vec![velocity, quantity.into(), symbol.into(), ten_digits(value), unit.into(), note.into()];
+        let cells = vec![
+            velocity,
+            quantity.into(),
+            symbol.into(),
+            Cell::rounded(value, 10),
+            unit.into(),
+            note.into(),
+        ];
         self.0.push(cells);
     }
-}
-
-/// A number to ten digits, which f64 leaves untouched by its rounding.
-pub(in crate::commands) fn ten_digits(value: f64) -> Cell {
-    Cell::Float(format!("{value:.9e}").parse().unwrap_or(value))
 }

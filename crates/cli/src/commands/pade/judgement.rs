@@ -1,15 +1,11 @@
 //! What is said about an approximant.
 
 use crate::{Cell, CliError, Table};
-use num_rational::BigRational;
 use restitution_approximate::{
-    ApproximateError, Expansion, Judged, Request, decimal, error_bound, error_on_range, error_reach,
-    error_text,
+    ApproximateError, Expansion, FARTHEST, Judged, Request, ValidRange, decimal, error_bound, error_text,
+    quality,
 };
 use restitution_pade::{PadeError, Reach, Verdict};
-
-/// Largest damping up to which an error level is followed.
-const FARTHEST: i64 = 20;
 
 impl From<ApproximateError> for CliError {
     fn from(error: ApproximateError) -> Self {
@@ -26,29 +22,10 @@ impl From<PadeError> for CliError {
     }
 }
 
-/// The range of the request as far as there are values, with a note where it is cut short.
-///
-/// # Errors
-///
-/// Usage if the whole range lies beyond the critical damping.
-pub fn range_with_values(
-    expansion: &Expansion,
-    (low, high): &(BigRational, BigRational),
-) -> Result<((BigRational, BigRational), Option<String>), CliError> {
-    let end = expansion.reach(high)?;
-    if end == *high {
-        return Ok(((low.clone(), end), None));
-    }
-    let shown = decimal(&end);
-    if end <= *low {
-        return Err(CliError::usage(format!(
-            "beyond u = {shown} the bodies never separate and there is no value to compare with: give --range with a smaller end"
-        )));
-    }
-    let note = format!(
-        "critical damping lies a little beyond u = {shown}: from there on the bodies never separate, so errors are looked for up to {shown}"
-    );
-    Ok(((low.clone(), end), Some(note)))
+/// Says where a range was cut short, if it was.
+pub fn cut_short(valid: &ValidRange) -> Option<String> {
+    let end = decimal(&valid.range.1);
+    valid.is_cut.then(|| format!("critical damping lies a little beyond u = {end}: from there on the bodies never separate, so errors are looked for up to {end}"))
 }
 
 /// Writes poles, zeros, trend and values of an approximant in `variable`.
@@ -84,22 +61,18 @@ pub fn report(
         table.said("met_at_infinity", "conditions met at infinity", entry.met_at_infinity().into());
     }
     say(table, verdict, &judged.places, expansion.variable().name());
-    let (range, cut) = range_with_values(expansion, &request.range)?;
-    let worst = error_on_range(expansion, entry, &range)?;
-    let (low, high) = (decimal(&range.0), decimal(&range.1));
+    let quality = quality(expansion, entry, request)?;
+    let (low, high) = (decimal(&quality.range.range.0), decimal(&quality.range.range.1));
     let label = format!("largest relative error seen for {low} <= u <= {high}");
-    table.said("largest_error", &label, Cell::digits(error_bound(&worst.error)));
-    table.said("largest_error_at", "seen at u", Cell::digits(decimal(&worst.at)));
-    let farthest = expansion.reach(&BigRational::from_integer(FARTHEST.into()))?;
-    let reach = match error_reach(expansion, entry, &request.level, &farthest)? {
-        Reach::Everywhere if cut.is_some() => decimal(&farthest),
+    table.said("largest_error", &label, Cell::digits(error_bound(&quality.worst.error)));
+    table.said("largest_error_at", "seen at u", Cell::digits(decimal(&quality.worst.at)));
+    let reach = match quality.reach {
+        Reach::Everywhere if quality.followed.is_cut => decimal(&quality.followed.range.1),
         Reach::Everywhere => format!("{FARTHEST} or more"),
         Reach::UpTo(u) => decimal(&u),
     };
     let label = format!("relative error at most {} up to u", error_text(&request.level));
     table.said("error_reach", &label, Cell::digits(reach));
-    if let Some(cut) = cut {
-        table.note(cut);
-    }
+    cut_short(&quality.range).into_iter().for_each(|cut| table.note(cut));
     Ok(())
 }

@@ -5,9 +5,9 @@ use super::judgement::say;
 use crate::exact::Exact;
 use crate::{Cell, CliError, Table};
 use num_rational::BigRational;
-use restitution_approximate::shown_places;
-use restitution_pade::{Contact, PadeError, PadeType, approximant, verdict};
-use restitution_real::{Ball, Rationals};
+use restitution_approximate::{rational_digits, shown_places};
+use restitution_pade::{Contact, PadeType, approximant, verdict};
+use restitution_real::Rationals;
 use std::io::Read;
 use std::path::Path;
 
@@ -27,13 +27,13 @@ pub fn table(path: &Path, asked: PadeType, form: Form, digits: usize) -> Result<
     }
     let found = approximant(&Rationals, &series, asked)?;
     let judged = verdict(&found, &restitution_pade::Interval::HalfLine)?;
-    let shown = |value: &BigRational| shown(value, digits);
+    let shown = |value: &BigRational| Cell::Digits(rational_digits(value, digits));
     let mut table = match form {
         Form::Quotient => {
             let mut table = Table::new(&["part", "k", "value", "decimal"]);
             for (part, p) in [("num", found.num()), ("den", found.den())] {
                 for (k, value) in p.iter().enumerate() {
-                    table.push(vec![part.into(), k.into(), Cell::digits(value), shown(value)?]);
+                    table.push(vec![part.into(), k.into(), Cell::digits(value), shown(value)]);
                 }
             }
             table
@@ -43,7 +43,7 @@ pub fn table(path: &Path, asked: PadeType, form: Form, digits: usize) -> Result<
             let mut table = Table::new(&["link", "power", "value", "decimal"]);
             let links = fraction.links.iter().map(|link| (link.power, &link.coefficient));
             for (k, (power, value)) in std::iter::once((0, &fraction.constant)).chain(links).enumerate() {
-                table.push(vec![k.into(), power.into(), Cell::digits(value), shown(value)?]);
+                table.push(vec![k.into(), power.into(), Cell::digits(value), shown(value)]);
             }
             table
         }
@@ -59,17 +59,6 @@ pub fn table(path: &Path, asked: PadeType, form: Form, digits: usize) -> Result<
         [shown_places(&Rationals, found.den(), digits)?, shown_places(&Rationals, found.num(), digits)?];
     say(&mut table, &judged, &places, "x");
     Ok(table)
-}
-
-/// A rational to some digits; an integer as it is.
-fn shown(value: &BigRational, digits: usize) -> Result<Cell, PadeError> {
-    if value.is_integer() {
-        return Ok(Cell::digits(value));
-    }
-    let bits = u32::try_from(64 + 4 * digits).unwrap_or(u32::MAX);
-    let undecided = PadeError::Undecided { what: "the last digit of a constant" };
-    let text = (0..6).find_map(|k| Ball::from_rational(value, bits << k).to_digits(digits));
-    text.map(Cell::Digits).ok_or(undecided)
 }
 
 /// Reads coefficients, constant term first, separated by blanks, commas, semicolons or lines; `#` begins a comment.

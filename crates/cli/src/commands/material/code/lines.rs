@@ -46,7 +46,8 @@ impl Request<'_> {
             return Ok(None);
         }
         let Some(measured) = args.measured()? else { return Ok(None) };
-        let input = Yade::measured(1.0 - measured.lost, measured.velocity, 1.0).map_err(CliError::usage)?;
+        let input = Yade::measured(measured.loss.epsilon(), measured.loss.velocity(), 1.0);
+        let input = input.map_err(CliError::usage)?;
         let lines = input.to_string();
         let line = lines.lines().last().unwrap_or_default();
         let text = &measured.text;

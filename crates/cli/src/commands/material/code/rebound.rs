@@ -41,7 +41,8 @@ fn characteristic_velocity(request: &Request, end: End) -> Result<(f64, String),
         Dissipation::Fitted { g_star, says, .. } => Ok((*g_star, says.clone())),
         Dissipation::Given(args) => {
             if let Some(measured) = args.measured()? {
-                let g_star = characteristic_velocity_from_loss(measured.velocity, measured.lost, end);
+                let (velocity, lost) = (measured.loss.velocity(), measured.loss.lost());
+                let g_star = characteristic_velocity_from_loss(velocity, lost, end);
                 return Ok((g_star.map_err(CliError::usage)?, measured.text));
             }
             if let Some(g_star) = args.g_star() {

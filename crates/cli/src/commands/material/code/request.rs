@@ -6,7 +6,8 @@ use crate::commands::material::bodies::BodyArgs;
 use crate::commands::material::damping::DampingArgs;
 use crate::units::Quantity;
 use restitution::codes::UnitSystem;
-use restitution::{Contact, End, ViscoelasticContact};
+use restitution::{End, ViscoelasticContact};
+use restitution_fit::Stiffness;
 
 /// Everything that decides what the lines are.
 pub(in crate::commands) struct Request<'a> {
@@ -25,8 +26,8 @@ pub(in crate::commands) enum Dissipation<'a> {
     Fitted {
         /// The characteristic velocity, in m/s.
         g_star: f64,
-        /// `rho/m_eff`, if durations were measured.
-        per_mass: Option<f64>,
+        /// What durations say, if they were measured.
+        stiffness: Option<Stiffness>,
         /// What is said about it.
         says: String,
     },
@@ -51,11 +52,11 @@ impl Request<'_> {
     pub(super) fn pair(&self, end: End) -> Result<ViscoelasticContact, CliError> {
         match &self.dissipation {
             Dissipation::Given(args) => args.pair(self.bodies, end)?.ok_or_else(nothing_dissipates),
-            Dissipation::Fitted { g_star, per_mass, .. } => {
-                let contact = match per_mass {
-                    Some(per_mass) if !self.bodies.is_elastic() => {
+            Dissipation::Fitted { g_star, stiffness, .. } => {
+                let contact = match stiffness {
+                    Some(found) if !self.bodies.is_elastic() => {
                         let (radius, mass) = self.bodies.radius_and_mass()?;
-                        Contact::with_prefactor(radius, mass, per_mass * mass).map_err(CliError::usage)?
+                        found.contact(radius, mass).map_err(CliError::usage)?
                     }
                     _ => self.bodies.contact()?,
                 };
