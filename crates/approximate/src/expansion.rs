@@ -221,8 +221,11 @@ impl Expansion {
     ///
     /// # Errors
     ///
-    /// [`ApproximateError::NoWholePower`].
+    /// [`ApproximateError::NoWholePower`], [`ApproximateError::NoWholePowerAtZeroForce`].
     pub fn decay(&self) -> Result<usize, ApproximateError> {
+        if self.end() == End::ZeroForce {
+            return Err(ApproximateError::NoWholePowerAtZeroForce);
+        }
         let p = self.law.velocity_exponent();
         let steps = if self.variable == Variable::SqrtU { 2 } else { 1 };
         let decay = p.is_positive().then(|| BigRational::from_integer(steps.into()) / &p);

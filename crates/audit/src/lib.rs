@@ -110,10 +110,13 @@ fn is_wanted(id: &str, wanted: &[String]) -> bool {
     wanted.is_empty() || wanted.iter().any(|name| begins(id, name))
 }
 
-/// Whether `name` is the claim's, or its beginning up to a point or behind one.
+/// Whether `name`, in capitals or not, is the claim's, or its beginning up to a point or behind one.
 fn begins(id: &str, name: &str) -> bool {
-    let rest = id.strip_prefix(name.trim_matches(['(', ')']));
-    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.') || name.contains('.'))
+    let name = name.trim_matches(['(', ')']);
+    let begins = id.get(..name.len()).is_some_and(|start| start.eq_ignore_ascii_case(name));
+    begins
+        .then(|| &id[name.len()..])
+        .is_some_and(|rest| rest.is_empty() || rest.starts_with('.') || name.contains('.'))
 }
 
 /// The README's code runs as a documentation test.
@@ -129,7 +132,7 @@ mod tests {
     fn names_are_whole_equations() {
         assert!(begins("A26", "A26") && begins("A26.formula", "(A26)") && begins("TableI.d1", "TableI.d"));
         assert!(!begins("A26", "A2") && !begins("11", "1") && !begins("A26", "A") && !begins("A26", ""));
-        assert!(check_names(&["A14".to_owned()]).is_ok());
+        assert!(check_names(&["A14".to_owned(), "a26".to_owned(), "(A27)".to_owned()]).is_ok());
         assert!(matches!(check_names(&["A99".to_owned()]), Err(AuditError::UnknownClaim { .. })));
     }
 }

@@ -6,6 +6,7 @@ use restitution_law::LawError;
 use restitution_real::RealError;
 use restitution_report::ReportError;
 use restitution_series::SeriesError;
+use std::ffi::OsString;
 use std::fmt::Display;
 use std::process::ExitCode;
 
@@ -100,9 +101,12 @@ impl From<ClosedError> for CliError {
     }
 }
 
-impl From<clap::Error> for CliError {
-    /// Keeps of clap's several paragraphs what was wrong and the remedy.
-    fn from(error: clap::Error) -> Self {
+impl CliError {
+    /// Keeps of clap's several paragraphs what was wrong and the remedy; `arguments` are those that were read.
+    pub(crate) fn of_arguments(error: &clap::Error, arguments: &[OsString]) -> Self {
+        if let Some(said) = crate::hint::of(error, arguments) {
+            return Self::Usage(said);
+        }
         let text = error.render().to_string();
         let lines = || text.lines().map(str::trim);
         let said = lines()
@@ -111,12 +115,18 @@ impl From<clap::Error> for CliError {
             .collect::<Vec<_>>()
             .join(" ");
         let said = said.trim_start_matches("error: ").replace(" tip: ", "; ");
-        if [": give", ": write", "; ", "[possible values"].iter().any(|remedy| said.contains(remedy)) {
+        if [": give", ": write", ": use", "; ", "[possible values"].iter().any(|remedy| said.contains(remedy))
+        {
             return Self::Usage(said);
         }
-        let usage = lines().find_map(|line| line.strip_prefix("Usage: ")).unwrap_or("restitution");
+        let usage = lines().find_map(|line| line.strip_prefix("Usage: "));
+        let command = usage.and_then(|usage| usage.split(" -").next()?.split(['<', '[']).next());
+        let subcommand = || match arguments.get(1).and_then(|word| word.to_str()) {
+            Some(word) if crate::commands::command().find_subcommand(word).is_some() => format!(" {word}"),
+            _ => String::new(),
+        };
         let command =
-            usage.split(" -").next().unwrap_or_default().split(['<', '[']).next().unwrap_or_default().trim();
+            command.map_or_else(|| format!("restitution{}", subcommand()), |name| name.trim().to_owned());
         Self::Usage(format!("{said}; see '{command} --help'"))
     }
 }

@@ -11,6 +11,7 @@
 pub mod args;
 pub mod commands;
 pub mod error;
+pub mod hint;
 pub mod interrupt;
 #[expect(clippy::float_arithmetic, reason = "points of grids")]
 pub mod list;

@@ -29,10 +29,10 @@ const LARGEST_DIGITS: usize = 10_000;
     restitution epsilon --u 1e-12 --quantity loss\n  restitution epsilon --saturation --digits 50")]
 pub struct EpsilonArgs {
     /// Dampings u of x'' + u x^GAMMA x' + x^A = 0 with x'(0) = 1, separated by commas, or a grid such as 0.1:2:20
-    #[arg(long, value_name = "U", num_args = 1.., value_parser = list::at_least_zero, required_unless_present_any = ["velocity", "saturation"])]
+    #[arg(long, value_name = "U", num_args = 1.., value_parser = list::at_least_zero)]
     u: Vec<List<Exact>>,
     /// Impact velocities such as 0.5cm/s,1cm/s or the grid 1cm/s:10m/s:50log, with --g-star or a material
-    #[arg(long, value_name = "G", num_args = 1.., value_parser = list::velocities, conflicts_with = "u", requires = "damping")]
+    #[arg(long, value_name = "G", num_args = 1.., value_parser = list::velocities, conflicts_with = "u")]
     velocity: Vec<List<Quantity>>,
     /// Print R = lim u epsilon^p and R^(1/p), the exit speed at unlimited velocity; p = 1/5 for spheres
     #[arg(long, conflicts_with_all = ["u", "velocity", "end"])]
@@ -86,8 +86,25 @@ impl EpsilonArgs {
     /// Usage where the law and the end of contact do not go together or the damping is incomplete,
     /// failure where no coefficient of the list exists or the digits of one cannot be proved.
     pub fn run(&self) -> Result<(), CliError> {
+        self.check()?;
         self.output.check()?;
         if self.saturation { self.output.print(&self.saturated()?) } else { self.integrated() }
+    }
+
+    /// Refuses what does not go together.
+    fn check(&self) -> Result<(), CliError> {
+        match (self.velocity.is_empty(), self.damping.given()) {
+            (false, false) => Err(CliError::usage(
+                "a velocity alone says nothing of the bodies: give --g-star, or --dissipative-constant, --young, --poisson, --density and --radius",
+            )),
+            (true, true) => Err(CliError::usage(
+                "bodies and g* go with impact velocities, for which they give u: give --velocity, or leave them out",
+            )),
+            (true, false) if self.u.is_empty() && !self.saturation => Err(CliError::usage(
+                "nothing says which collision: give --u <U>, --velocity <G> or --saturation",
+            )),
+            _ => Ok(()),
+        }
     }
 
     fn integrated(&self) -> Result<(), CliError> {

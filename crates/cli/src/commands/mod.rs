@@ -74,7 +74,8 @@ pub enum Command {
 ///
 /// A [`CliError`]: usage for what cannot be understood or done at any time, failure otherwise.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliError> {
-    match parse(arguments) {
+    let arguments = arguments.into_iter().collect::<Vec<_>>();
+    match parse(&arguments) {
         Ok(cli) => cli.command.run(),
         Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
             error.print().map_err(|_| CliError::ClosedPipe)
@@ -83,7 +84,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliError
         Err(error) if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
             crate::output::TargetArgs::default().write(&error.render().to_string())
         }
-        Err(error) => Err(error.into()),
+        Err(error) => Err(CliError::of_arguments(&error, &arguments)),
     }
 }
 
@@ -106,7 +107,7 @@ impl Command {
     }
 }
 
-fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Cli, clap::Error> {
+fn parse(arguments: &[OsString]) -> Result<Cli, clap::Error> {
     Cli::from_arg_matches(&command().try_get_matches_from(arguments)?)
 }
 

@@ -32,13 +32,13 @@ const LARGEST_SIDE: usize = 40;
 )]
 pub struct PadeArgs {
     /// Degree of the numerator
-    #[arg(value_name = "L", value_parser = degree, requires = "denominator", required_unless_present_any = ["table", "list"])]
+    #[arg(value_name = "L", value_parser = degree)]
     numerator: Option<usize>,
     /// Degree of the denominator
     #[arg(value_name = "M", value_parser = degree)]
     denominator: Option<usize>,
     /// Take the coefficients from a file, constant term first, exact: decimals or fractions; - is stdin
-    #[arg(long, value_name = "FILE", requires = "numerator", conflicts_with_all = ["variable", "at_infinity", "law", "end"])]
+    #[arg(long, value_name = "FILE", requires = "numerator", conflicts_with_all = ["variable", "at_infinity", "law", "end", "table", "list"])]
     series: Option<PathBuf>,
     /// Map the table of all approximants up to [N/N], with verdicts
     #[arg(long, value_name = "N", value_parser = side, conflicts_with_all = ["numerator", "list", "at_infinity"])]
@@ -141,6 +141,11 @@ impl PadeArgs {
     /// digits or certified values cannot be had.
     pub fn run(&self) -> Result<(), CliError> {
         self.output.check()?;
+        if self.list.is_none() && self.table.is_none() && self.denominator.is_none() {
+            return Err(CliError::usage(
+                "an approximant has two degrees: give L and M such as 3 8, or --table N, or --list",
+            ));
+        }
         let table = match (self.list, self.table) {
             (Some(List::Literature), _) => literature::table(self.digits)?,
             (Some(List::Recommended), _) => recommended::table()?,

@@ -59,7 +59,7 @@ fn wrong_exports_are_named_with_their_remedy() {
         ("export --lang c --beyond the-sea", "[possible values: nan, law]"),
         ("export --lang c --g-star 0m/s", "give --g-star with a positive value"),
         ("export --lang c --g-star 1e400m/s", "beyond what a double can hold"),
-        ("export --lang c --dissipative-constant 1e-6s", "give --young with a positive value"),
+        ("export --lang c --dissipative-constant 1e-6s", "give --young, --poisson, --density and --radius"),
         ("export --lang c --end never", "[possible values: zero-compression, zero-force]"),
     ];
     for (line, remedy) in cases {

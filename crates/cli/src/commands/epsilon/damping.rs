@@ -1,6 +1,7 @@
 //! Arguments that say how strongly bodies dissipate.
 
 use crate::CliError;
+use crate::commands::material::bodies::incomplete;
 use crate::exact::{Exact, at_least_zero};
 use crate::units::{self, Quantity};
 use num_rational::BigRational;
@@ -63,8 +64,7 @@ impl DampingArgs {
     /// Usage for a velocity that cannot be, and for what is missing.
     pub(in crate::commands) fn at(&self, g: &BigRational, law: &ForceLaw) -> Result<Damping, CliError> {
         if let Some(g_star) = &self.g_star {
-            let g_star = positive(Some(g_star.si()), "--g-star")?;
-            return Damping::of_velocity(g, &g_star, law).map_err(CliError::usage);
+            return Damping::of_velocity(g, positive(g_star, "--g-star")?, law).map_err(CliError::usage);
         }
         if *law != ForceLaw::viscoelastic_spheres() {
             return Err(CliError::usage(
@@ -75,26 +75,37 @@ impl DampingArgs {
     }
 
     fn spheres(&self) -> Result<EqualSpheres, CliError> {
-        let si = |quantity: &Option<Quantity>, name| positive(quantity.as_ref().map(Quantity::si), name);
-        let poisson = self.poisson.as_ref().map(|poisson| poisson.value());
-        let one = BigRational::from_integer(1.into());
+        let (Some(a), Some(young), Some(poisson), Some(density), Some(radius)) =
+            (&self.dissipative_constant, &self.young, &self.poisson, &self.density, &self.radius)
+        else {
+            let missing = [
+                ("--dissipative-constant", self.dissipative_constant.is_none()),
+                ("--young", self.young.is_none()),
+                ("--poisson", self.poisson.is_none()),
+                ("--density", self.density.is_none()),
+                ("--radius", self.radius.is_none()),
+            ];
+            let missing = missing.iter().filter(|(_, missing)| *missing).map(|(name, _)| *name);
+            return Err(incomplete(&missing.collect::<Vec<_>>()));
+        };
+        if *poisson.value() >= BigRational::from_integer(1.into()) {
+            return Err(CliError::usage(format!(
+                "Poisson's ratio is {poisson}: give a number of at least 0 and below 1"
+            )));
+        }
         Ok(EqualSpheres {
-            dissipative_constant: si(&self.dissipative_constant, "--dissipative-constant")?,
-            young: si(&self.young, "--young")?,
-            density: si(&self.density, "--density")?,
-            radius: si(&self.radius, "--radius")?,
-            poisson: poisson
-                .filter(|poisson| **poisson < one)
-                .cloned()
-                .ok_or_else(|| missing("--poisson, below 1,"))?,
+            dissipative_constant: positive(a, "--dissipative-constant")?.clone(),
+            young: positive(young, "--young")?.clone(),
+            density: positive(density, "--density")?.clone(),
+            radius: positive(radius, "--radius")?.clone(),
+            poisson: poisson.value().clone(),
         })
     }
 }
 
-fn positive(value: Option<&BigRational>, name: &str) -> Result<BigRational, CliError> {
-    value.filter(|value| value.is_positive()).cloned().ok_or_else(|| missing(name))
-}
-
-fn missing(name: &str) -> CliError {
-    CliError::usage(format!("the damping is not known: give {name} with a positive value"))
+fn positive<'a>(quantity: &'a Quantity, name: &str) -> Result<&'a BigRational, CliError> {
+    if quantity.si().is_positive() {
+        return Ok(quantity.si());
+    }
+    Err(CliError::usage(format!("{name} is {quantity}: give {name} with a positive value")))
 }

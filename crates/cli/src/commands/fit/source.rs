@@ -163,6 +163,9 @@ fn read_file(path: &Path) -> Result<Vec<u8>, CliError> {
 
 fn velocity_unit(text: &str) -> Result<String, String> {
     let unit = text.trim();
+    if unit.is_empty() {
+        return Err("a unit has a name: give one such as cm/s".to_owned());
+    }
     Quantity::parse(&format!("1 {unit}"), Dimension::Velocity).map_err(|error| error.to_string())?;
     Ok(unit.to_owned())
 }

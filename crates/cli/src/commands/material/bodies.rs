@@ -93,7 +93,7 @@ impl BodyArgs {
             need(self.poisson2.is_some(), "--poisson2");
             need(self.density2.is_some(), "--density2");
         }
-        incomplete(&missing)
+        if missing.is_empty() { Ok(()) } else { Err(incomplete(&missing)) }
     }
 
     /// For which contacts a line of a code holds, in words.
@@ -283,16 +283,15 @@ impl BodyArgs {
     }
 }
 
-fn incomplete(missing: &[&str]) -> Result<(), CliError> {
-    match missing {
-        [] => Ok(()),
-        [one] => Err(CliError::usage(format!("the bodies are not complete: give {one}"))),
-        [rest @ .., last] => {
-            Err(CliError::usage(format!("the bodies are not complete: give {} and {last}", rest.join(", "))))
-        }
-    }
+/// What to say of arguments that are missing, of which there is one at least.
+pub(in crate::commands) fn incomplete(missing: &[&str]) -> CliError {
+    let names = match missing {
+        [rest @ .., last] if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => missing.concat(),
+    };
+    CliError::usage(format!("the bodies are not complete: give {names}"))
 }
 
 fn required<'a, T>(value: &'a Option<T>, name: &str) -> Result<&'a T, CliError> {
-    value.as_ref().ok_or_else(|| CliError::usage(format!("the bodies are not complete: give {name}")))
+    value.as_ref().ok_or_else(|| incomplete(&[name]))
 }
