@@ -3,7 +3,7 @@
 use proptest::prelude::Rng;
 use restitution::End;
 use restitution_direct::Collision;
-use restitution_export::Reference;
+use restitution_export::InterpolatedCurve;
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use rug::Float;
@@ -13,14 +13,14 @@ use std::sync::OnceLock;
 pub const PREC: u32 = 112;
 
 /// Returns the reference of one end of contact, made once.
-pub fn reference(end: End) -> &'static Reference {
-    static REFERENCES: [OnceLock<Reference>; 2] = [OnceLock::new(), OnceLock::new()];
+pub fn reference(end: End) -> &'static InterpolatedCurve {
+    static REFERENCES: [OnceLock<InterpolatedCurve>; 2] = [OnceLock::new(), OnceLock::new()];
     let slot = &REFERENCES[usize::from(end == End::ZeroForce)];
-    slot.get_or_init(|| Reference::new(end).expect("the integrator proves every node"))
+    slot.get_or_init(|| InterpolatedCurve::new(end).expect("the integrator proves every node"))
 }
 
 /// Returns `1 - epsilon(u)` and `epsilon(u)` for an f64.
-pub fn exact(reference: &Reference, u: f64) -> (Float, Float) {
+pub fn exact(reference: &InterpolatedCurve, u: f64) -> (Float, Float) {
     if u == 0.0 {
         return (Float::new(PREC), Float::with_val(PREC, 1));
     }

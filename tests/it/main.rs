@@ -27,6 +27,7 @@ mod interpolant;
 mod laws;
 mod lookup;
 mod materials;
+mod notation;
 mod numbers;
 mod package;
 mod pade_constants;

@@ -3,7 +3,7 @@
 use crate::grid::Grid;
 use crate::pieces::{Pieces, Shape};
 use crate::target::Law;
-use crate::{ExportError, Reference};
+use crate::{ExportError, InterpolatedCurve};
 
 /// The least and the largest relative error that can be asked for.
 const TOLERANCES: (f64, f64) = (1e-15, 0.1);
@@ -49,7 +49,7 @@ impl Request {
         Ok(())
     }
 
-    /// The largest `u` at which a table for this request needs the function, for [`Reference::up_to`].
+    /// The largest `u` at which a table for this request needs the function, for [`InterpolatedCurve::up_to`].
     pub fn reach(&self) -> f64 {
         if self.beyond == Beyond::Law { f64::INFINITY } else { 2.0 * (self.range.1 + 8.0) }
     }
@@ -78,10 +78,10 @@ pub enum Beyond {
 ///
 /// ```
 /// use restitution::End;
-/// use restitution_export::{Beyond, ExportError, Reference, Request, design};
+/// use restitution_export::{Beyond, ExportError, InterpolatedCurve, Request, design};
 ///
 /// let request = Request { tolerance: 1e-4, range: (0.0, 2.0), beyond: Beyond::NotANumber };
-/// let reference = Reference::up_to(End::ZeroCompression, request.reach())?;
+/// let reference = InterpolatedCurve::up_to(End::ZeroCompression, request.reach())?;
 /// let table = design(&reference, &request)?;
 /// assert_eq!(table.epsilon(0.0), 1.0);
 /// assert!((table.epsilon(1.0) / 0.331_164_810_466_640_94 - 1.0).abs() <= 1e-4);
@@ -90,7 +90,7 @@ pub enum Beyond {
 /// assert!(matches!(design(&reference, &request), Err(ExportError::WrongTolerance)));
 /// # Ok::<(), ExportError>(())
 /// ```
-pub fn design(reference: &Reference, request: &Request) -> Result<Pieces, ExportError> {
+pub fn design(reference: &InterpolatedCurve, request: &Request) -> Result<Pieces, ExportError> {
     request.check()?;
     let law = match request.beyond {
         Beyond::NotANumber => None,
@@ -115,7 +115,7 @@ pub fn design(reference: &Reference, request: &Request) -> Result<Pieces, Export
 
 /// The cheapest table for everything in `shape` but its grid and its degree.
 pub(crate) fn cheapest(
-    reference: &Reference,
+    reference: &InterpolatedCurve,
     shape: &Shape,
     sizes: &[u64],
     tolerance: f64,
@@ -133,7 +133,7 @@ pub(crate) fn cheapest(
 }
 
 /// The smallest table of one degree, or the least error of what fits into `size` constants.
-fn smallest(reference: &Reference, shape: &Shape, size: u64) -> Result<Pieces, f64> {
+fn smallest(reference: &InterpolatedCurve, shape: &Shape, size: u64) -> Result<Pieces, f64> {
     let constants = shape.degree as u64 + 1;
     let (mut best, mut reached): (Option<Pieces>, _) = (None, f64::INFINITY);
     for exponent in SHIFTS.rev() {

@@ -1,6 +1,6 @@
 //! The tables of the crate `restitution`.
 
-use crate::Reference;
+use crate::InterpolatedCurve;
 use crate::centred::interpolate;
 use crate::chebyshev::PREC;
 use crate::grid::Grid;
@@ -37,7 +37,7 @@ impl Centred {
 }
 
 /// Returns `tables/zero_compression.rs`.
-pub fn zero_compression_tables(reference: &Reference) -> String {
+pub fn zero_compression_tables(reference: &InterpolatedCurve) -> String {
     let (grid, near_end, far) = (Grid { shift: 8.0, bits: 9 }, 1.0 / 32.0, 7.0_f64);
     let pieces = Centred::fit(&|u| reference.epsilon(u), grid, 0.0, far - 1.0 / 1024.0);
     let outer =
@@ -65,7 +65,7 @@ pub fn zero_compression_tables(reference: &Reference) -> String {
 }
 
 /// Returns `tables/zero_force.rs`.
-pub fn zero_force_tables(reference: &Reference) -> String {
+pub fn zero_force_tables(reference: &InterpolatedCurve) -> String {
     let (grid, near_end, far) = (Grid { shift: 0.5, bits: 6 }, 1.0 / 16.0, 1023.5_f64);
     let pieces = Centred::fit(&|u| reference.epsilon(u), grid, near_end, far - 1.0 / 1024.0);
     let by_root = |root: &Float| reference.epsilon(&root.clone().square());
@@ -130,7 +130,7 @@ fn piece_table(parts: &[Part]) -> String {
 }
 
 /// The departure from the power law in `u^(-1/3)`, up to that of `far`.
-fn departure_rows(reference: &Reference, far: f64) -> Vec<Vec<f64>> {
+fn departure_rows(reference: &InterpolatedCurve, far: f64) -> Vec<Vec<f64>> {
     let grid = Grid { shift: 1.0 / 16.0, bits: 5 };
     let departure = |x: &Float| reference.departure(&(1u32 / Float::with_val(PREC, x * x) / x));
     let fit = |number: u64| interpolate(grid, number, DEGREE, &departure);

@@ -3,7 +3,7 @@
 use crate::design::{Beyond, Request, design};
 use crate::loss::Loss;
 use crate::pieces::{Bound, Pieces};
-use crate::{ExportError, Reference};
+use crate::{ExportError, InterpolatedCurve};
 use restitution::End;
 use rug::Float;
 use rug::float::Constant;
@@ -107,7 +107,7 @@ impl Listing {
     /// # Errors
     ///
     /// Those of [`design`].
-    pub fn new(reference: &Reference, request: Request) -> Result<Self, ExportError> {
+    pub fn new(reference: &InterpolatedCurve, request: Request) -> Result<Self, ExportError> {
         let pieces = design(reference, &request)?;
         let loss = Loss::fit(reference, &pieces, request.range, request.tolerance)?;
         let mut listing = Self {
@@ -160,7 +160,7 @@ impl Listing {
         points
     }
 
-    fn observe(&mut self, reference: &Reference, u: f64) {
+    fn observe(&mut self, reference: &InterpolatedCurve, u: f64) {
         let relative =
             |value: f64, exact: Float| (Float::with_val(PREC, value - &exact) / exact).to_f64().abs();
         let (pieces, observed) = (&self.pieces, &mut self.observed);
@@ -239,16 +239,16 @@ impl Listing {
     }
 }
 
-fn exact(reference: &Reference, u: f64) -> Float {
+fn exact(reference: &InterpolatedCurve, u: f64) -> Float {
     if u == 0.0 { Float::with_val(PREC, 1) } else { reference.epsilon(&Float::with_val(PREC, u)) }
 }
 
-fn exact_loss(reference: &Reference, u: f64) -> Float {
+fn exact_loss(reference: &InterpolatedCurve, u: f64) -> Float {
     if u == 0.0 { Float::new(PREC) } else { reference.one_minus_epsilon(&Float::with_val(PREC, u)) }
 }
 
 /// The difference quotient about `u`, over 2^-39 of it: within 2^-75 of the derivative.
-fn exact_slope(reference: &Reference, u: f64) -> Float {
+fn exact_slope(reference: &InterpolatedCurve, u: f64) -> Float {
     let step = Float::with_val(PREC, u) * STEP;
     let (before, after) = (Float::with_val(PREC, u - &step), Float::with_val(PREC, u + &step));
     (reference.one_minus_epsilon(&before) - reference.one_minus_epsilon(&after)) / (step * 2u32)

@@ -2,7 +2,7 @@
 
 use crate::chebyshev::{PREC, coefficients, monomials, nodes};
 use crate::pieces::Pieces;
-use crate::{ExportError, Reference};
+use crate::{ExportError, InterpolatedCurve};
 use restitution::End;
 use rug::Float;
 use std::f64::consts::PI;
@@ -46,7 +46,7 @@ impl Loss {
     ///
     /// [`ExportError::Tolerance`] if no polynomial of degree 30 or less keeps `tolerance`.
     pub fn fit(
-        reference: &Reference,
+        reference: &InterpolatedCurve,
         pieces: &Pieces,
         range: (f64, f64),
         tolerance: f64,
@@ -78,7 +78,13 @@ impl Loss {
     }
 
     /// The polynomial through both ends of `[0, high]` and points between them.
-    fn interpolate(&self, reference: &Reference, degree: usize, high: f64, last: Option<f64>) -> Vec<f64> {
+    fn interpolate(
+        &self,
+        reference: &InterpolatedCurve,
+        degree: usize,
+        high: f64,
+        last: Option<f64>,
+    ) -> Vec<f64> {
         let end = self.of(&Float::with_val(PREC, high));
         let part = |k: usize| (PI * k as f64 / (2 * degree) as f64).sin().powi(2);
         let points: Vec<Float> = (0..=degree).map(|k| Float::with_val(PREC, &end * part(k))).collect();
@@ -90,7 +96,7 @@ impl Loss {
     }
 
     /// The relative errors of approximation and of rounding.
-    fn errors(&self, reference: &Reference, row: &[f64], high: f64) -> (f64, f64) {
+    fn errors(&self, reference: &InterpolatedCurve, row: &[f64], high: f64) -> (f64, f64) {
         let end = self.of(&Float::with_val(PREC, high));
         let mut least = f64::INFINITY;
         let errors: Vec<Float> = nodes(&Float::new(PREC), &end, row.len() + EXTRA_NODES)
@@ -115,7 +121,7 @@ impl Loss {
     }
 
     /// `(1 - epsilon)/u` at a value of the variable.
-    fn ratio(&self, reference: &Reference, x: &Float) -> Float {
+    fn ratio(&self, reference: &InterpolatedCurve, x: &Float) -> Float {
         let u = if self.variable == Variable::U { x.clone() } else { x.clone().square() };
         let u = if u.is_zero() { Float::with_val(PREC, NEXT_TO_NOTHING) } else { u };
         reference.one_minus_epsilon(&u) / u

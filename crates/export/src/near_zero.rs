@@ -1,12 +1,12 @@
 //! `(1 - epsilon)/u` near `u = 0`.
 
 use super::chebyshev::{PREC, monomials, nodes};
-use super::reference::Reference;
+use super::interpolated_curve::InterpolatedCurve;
 use rug::Float;
 use rug::ops::Pow;
 
 /// Returns the polynomial in `u` of degree `degree` through Chebyshev nodes of `[0, high]`.
-pub(super) fn loss_in_u(reference: &Reference, degree: usize, high: f64) -> Vec<f64> {
+pub(super) fn loss_in_u(reference: &InterpolatedCurve, degree: usize, high: f64) -> Vec<f64> {
     let zero = Float::new(PREC);
     let nodes = nodes(&zero, &Float::with_val(PREC, high), degree + 1);
     let values: Vec<Float> = nodes.iter().map(|u| reference.one_minus_epsilon(u) / u).collect();
@@ -15,7 +15,7 @@ pub(super) fn loss_in_u(reference: &Reference, degree: usize, high: f64) -> Vec<
 
 /// Returns `a` and `b` of `a(u) + u^(3/2) b(u)` through as many Chebyshev nodes in `sqrt(u)`.
 pub(super) fn loss_in_halves(
-    reference: &Reference,
+    reference: &InterpolatedCurve,
     wholes: usize,
     halves: usize,
     high: f64,

@@ -4,7 +4,7 @@ use crate::chebyshev::{PREC, coefficients, monomials, nodes};
 use crate::falling::{Flaw, room_below, starts_at_one};
 use crate::grid::Grid;
 use crate::target::Law;
-use crate::{ExportError, Reference};
+use crate::{ExportError, InterpolatedCurve};
 use rug::Float;
 use std::f64::consts::PI;
 
@@ -120,7 +120,7 @@ impl Pieces {
     /// # Errors
     ///
     /// [`ExportError::Tolerance`] as soon as a piece's bound exceeds the tolerance, or a piece cannot be proved to fall.
-    pub fn fit(reference: &Reference, shape: &Shape) -> Result<Self, ExportError> {
+    pub fn fit(reference: &InterpolatedCurve, shape: &Shape) -> Result<Self, ExportError> {
         let departure = shape.law.map_or(0.0, |law| law.departure);
         let bound = Bound { law: 2.0 * departure, ..Bound::default() };
         let (low, high) = (shape.range.0, shape.high());
@@ -197,8 +197,8 @@ impl Pieces {
     }
 
     /// Replaces the approximation's part of the bound, which is sampled in a search, by what bounds it between the samples
-    /// too ([`Reference::largest`]).
-    pub(crate) fn bound_between_samples(&mut self, reference: &Reference, high: f64) {
+    /// too ([`InterpolatedCurve::largest`]).
+    pub(crate) fn bound_between_samples(&mut self, reference: &InterpolatedCurve, high: f64) {
         let mut largest = 0.0_f64;
         for (i, row) in self.rows[..self.law_row].iter().enumerate() {
             let number = self.first + i as u64;

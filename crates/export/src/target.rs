@@ -1,7 +1,7 @@
 //! The function that is tabulated, and how it goes on where the table ends.
 
 use crate::chebyshev::PREC;
-use crate::{ExportError, Reference};
+use crate::{ExportError, InterpolatedCurve};
 use restitution::End;
 use rug::Float;
 use rug::ops::Pow;
@@ -35,7 +35,7 @@ impl Law {
     /// # Errors
     ///
     /// [`ExportError::Law`] if that is nowhere below 2^36.
-    pub fn within(reference: &Reference, tolerance: f64) -> Result<Self, ExportError> {
+    pub fn within(reference: &InterpolatedCurve, tolerance: f64) -> Result<Self, ExportError> {
         let octaves = if reference.end() == End::ZeroCompression { 1 } else { 3 };
         let departure = |exponent: i32| departure(reference, 2.0_f64.powi(exponent));
         let mut last = LARGEST_EXPONENT;
@@ -71,7 +71,7 @@ impl Law {
 }
 
 /// The departure of `epsilon` from the law at infinity, relative to `epsilon`.
-fn departure(reference: &Reference, u: f64) -> f64 {
+fn departure(reference: &InterpolatedCurve, u: f64) -> f64 {
     let u = Float::with_val(PREC, u);
     let epsilon = reference.epsilon(&u);
     (reference.power_law(&u) / epsilon - 1u32).to_f64().abs()

@@ -4,7 +4,7 @@ use crate::design::cheapest;
 use crate::evaluator_tables::HEAD;
 use crate::grid::Grid;
 use crate::pieces::{Pieces, Shape};
-use crate::{ExportError, Reference};
+use crate::{ExportError, InterpolatedCurve};
 use restitution::End;
 use rug::Float;
 use std::fmt::Write as _;
@@ -22,7 +22,7 @@ const ABOVE: f64 = 4.0 * f64::EPSILON;
 /// # Errors
 ///
 /// [`ExportError::Tolerance`] if no table keeps a tier's tolerance.
-pub fn tier_tables(references: [&Reference; 2]) -> Result<String, ExportError> {
+pub fn tier_tables(references: [&InterpolatedCurve; 2]) -> Result<String, ExportError> {
     let mut text =
         format!("//! Cheaper tiers.\n{HEAD}\nuse crate::End;\nuse crate::evaluator::tier::Tier;\n");
     for reference in references {
@@ -33,7 +33,7 @@ pub fn tier_tables(references: [&Reference; 2]) -> Result<String, ExportError> {
     Ok(text)
 }
 
-fn fit(reference: &Reference, tolerance: f64) -> Result<Pieces, ExportError> {
+fn fit(reference: &InterpolatedCurve, tolerance: f64) -> Result<Pieces, ExportError> {
     let last = reference.epsilon(&Float::with_val(64, FAR)).to_f64();
     let shape = Shape {
         grid: Grid { shift: 1.0, bits: 0 },

@@ -1,11 +1,11 @@
 //! Error against damping, and the two ends of contact compared.
 
 use crate::ReportError;
+use crate::certified_values::CertifiedValues;
 use crate::chart::{Axis, Chart, Series, Stroke};
 use crate::contestants::{Contestant, Family};
 use crate::formulas::SLOPE;
 use crate::page::{Data, Figure, Section};
-use crate::reference::Reference;
 use crate::speed::{end_name, error_cell};
 use restitution_direct::{End, saturation_radius};
 use restitution_law::ForceLaw;
@@ -17,7 +17,7 @@ const EXTRACT: [f64; 7] = [0.1, 0.5, 1.0, 1.5, 2.0, 5.0, 7.5];
 /// The part of the report on error against damping.
 pub fn section(
     contestants: &[Contestant],
-    reference: &Reference,
+    reference: &CertifiedValues,
     errors: &[Vec<f64>],
 ) -> Result<Section, ReportError> {
     let radius = saturation_radius(&ForceLaw::viscoelastic_spheres(), 20).map_err(ReportError::failure)?;
@@ -86,7 +86,7 @@ pub fn section(
 fn chart(
     id: &str,
     contestants: &[Contestant],
-    reference: &Reference,
+    reference: &CertifiedValues,
     errors: &[Vec<f64>],
     wanted: &dyn Fn(&Contestant) -> bool,
 ) -> Chart {
@@ -113,7 +113,7 @@ fn envelope(u: &[f64], errors: &[f64], count: usize) -> Vec<(f64, f64)> {
 
 fn table(
     contestants: &[Contestant],
-    reference: &Reference,
+    reference: &CertifiedValues,
     errors: &[Vec<f64>],
     wanted: impl Fn(f64) -> bool,
 ) -> Table {
@@ -131,7 +131,7 @@ fn table(
     table
 }
 
-fn ends(reference: &Reference) -> Figure {
+fn ends(reference: &CertifiedValues) -> Figure {
     let value = |end: End| reference.values(end).iter().map(restitution_real::Ball::to_f64);
     let start = || std::iter::once((0.0, 1.0));
     let line = |name: &str, colour, end| {

@@ -1,8 +1,9 @@
 //! The report: speed against error, errors, growth, the paper's figure and numerical stability, measured here.
 //!
-//! `contestants` lists what is compared; `reference` has the certified values that judge; a module for
+//! `contestants` lists what is compared; `certified_values` those that judge; a module for
 //! each part of the page measures and draws it; `page` puts them together.
 
+mod certified_values;
 mod chart;
 mod contestants;
 mod digits_lost;
@@ -18,7 +19,6 @@ mod kernel;
 mod machine;
 mod ode;
 mod page;
-mod reference;
 mod speed;
 mod stability;
 mod timing;
@@ -37,7 +37,7 @@ pub type Watch<'a> = dyn Fn() + Sync + 'a;
 /// What the libraries say; nothing in a report depends on input.
 pub fn make(effort: &Effort, watch: &Watch) -> Result<Vec<(String, String)>, ReportError> {
     let contestants = contestants::all(effort.order)?;
-    let reference = reference::Reference::new(effort.grid(), &watch)?;
+    let reference = certified_values::CertifiedValues::new(effort.grid(), &watch)?;
     let errors = speed::errors(&contestants, &reference);
     let results = speed::measure(&contestants, &reference, &errors, effort, &watch);
     let machine = machine::Machine::this();

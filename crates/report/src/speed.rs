@@ -1,11 +1,11 @@
 //! Speed against error of every contestant.
 
 use crate::Watch;
+use crate::certified_values::CertifiedValues;
 use crate::chart::{Axis, Chart, Point, Series, Shape, Stroke};
 use crate::contestants::{Contestant, Family};
 use crate::effort::Effort;
 use crate::page::{Data, Figure, Section};
-use crate::reference::Reference;
 use crate::timing::{Task, Timing, in_turn};
 use restitution_direct::End;
 use restitution_table::{Cell, Table};
@@ -31,7 +31,7 @@ pub struct Result {
 /// Measures the time of every contestant on every range, with the errors of [`errors`].
 pub fn measure(
     contestants: &[Contestant],
-    reference: &Reference,
+    reference: &CertifiedValues,
     errors: &[Vec<f64>],
     effort: &Effort,
     watch: &Watch,
@@ -60,7 +60,7 @@ pub fn measure(
 }
 
 /// The relative errors of every contestant at every `u` of the grid.
-pub fn errors(contestants: &[Contestant], reference: &Reference) -> Vec<Vec<f64>> {
+pub fn errors(contestants: &[Contestant], reference: &CertifiedValues) -> Vec<Vec<f64>> {
     let of = |contestant: &Contestant| {
         let mut values = vec![0.0; reference.u.len()];
         contestant.kernel.values(&reference.u, &mut values);

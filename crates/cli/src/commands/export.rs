@@ -9,7 +9,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use num_rational::BigRational;
 use restitution::End;
 use restitution_export::{
-    Beyond, CharacteristicVelocity, ExportError, LANGUAGES, Language, Listing, Reference, Request,
+    Beyond, CharacteristicVelocity, ExportError, InterpolatedCurve, LANGUAGES, Language, Listing, Request,
 };
 use restitution_export::{constants, tier_tables, zero_compression_tables, zero_force_tables};
 use restitution_law::ForceLaw;
@@ -146,14 +146,14 @@ impl ExportArgs {
     }
 
     fn tiers(&self) -> Result<String, CliError> {
-        let [compression, force] = [End::ZeroCompression, End::ZeroForce].map(Reference::new);
+        let [compression, force] = [End::ZeroCompression, End::ZeroForce].map(InterpolatedCurve::new);
         let references = [&compression.map_err(CliError::failure)?, &force.map_err(CliError::failure)?];
         Ok(tier_tables(references)?)
     }
 
-    fn reference(&self, last: f64) -> Result<Reference, CliError> {
+    fn reference(&self, last: f64) -> Result<InterpolatedCurve, CliError> {
         let end = End::from(self.end.end);
-        Reference::up_to(end, last).map_err(CliError::failure)
+        InterpolatedCurve::up_to(end, last).map_err(CliError::failure)
     }
 }
 

@@ -5,7 +5,7 @@ use crate::CliError;
 use crate::commands::material::end_of;
 use crate::progress;
 use restitution::{End, characteristic_velocity_from_loss};
-use restitution_export::{Beyond, CharacteristicVelocity, Language, Listing, Reference};
+use restitution_export::{Beyond, CharacteristicVelocity, InterpolatedCurve, Language, Listing};
 
 /// The largest relative error of the function.
 const TOLERANCE: f64 = 1e-9;
@@ -28,7 +28,7 @@ pub(super) fn lines(request: &Request) -> Result<String, CliError> {
     progress::during("certified values", || {
         let asked =
             restitution_export::Request { tolerance: TOLERANCE, range: (0.0, 8.0), beyond: Beyond::Law };
-        let reference = Reference::up_to(end, asked.reach()).map_err(CliError::failure)?;
+        let reference = InterpolatedCurve::up_to(end, asked.reach()).map_err(CliError::failure)?;
         let velocity = CharacteristicVelocity::of(g_star, origin)?;
         let listing = Listing::new(&reference, asked)?.with_velocity(velocity);
         let source = Language::of("python")?.write(&listing, "restitution")?;

@@ -27,7 +27,7 @@ const DIGITS: usize = 40;
 /// are below 1e-24 of the first, and `tests/it/certified.rs` compares with the integrator at points that
 /// are no nodes, to 1e-27 relative.
 #[derive(Debug)]
-pub struct Reference {
+pub struct InterpolatedCurve {
     end: End,
     arcs: Vec<Arc>,
     /// `R^5`, or `(3/2)^(2/3)`: the factor of the power law.
@@ -61,7 +61,7 @@ const FORCE_ARCS: [f64; 7] = [0.0, 0.35, 0.7, 1.2, 1.9, 2.8, 4.0];
 /// `u^(-5/3) ln(u)^2`, which leaves 1e-17 of `epsilon`.
 const TAIL_ARCS: [f64; 5] = [2.7, 4.0, 6.0, 9.0, 14.0];
 
-impl Reference {
+impl InterpolatedCurve {
     /// Interpolates for one end of contact and every `u`; takes seconds.
     ///
     /// # Errors
@@ -71,11 +71,11 @@ impl Reference {
         Self::up_to(end, f64::INFINITY)
     }
 
-    /// As [`Reference::new`], for `u` up to `last` only.
+    /// As [`InterpolatedCurve::new`], for `u` up to `last` only.
     ///
     /// # Errors
     ///
-    /// As [`Reference::new`].
+    /// As [`InterpolatedCurve::new`].
     pub fn up_to(end: End, last: f64) -> Result<Self, DirectError> {
         let law = ForceLaw::viscoelastic_spheres();
         let mut reference = Self { end, arcs: Vec::new(), factor: factor(end, &law)? };

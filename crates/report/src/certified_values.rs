@@ -13,12 +13,12 @@ use restitution_real::Ball;
 const DIGITS: usize = 21;
 
 /// The coefficient of restitution at dampings that are exact f64, certified.
-pub struct Reference {
+pub struct CertifiedValues {
     pub u: Vec<f64>,
     values: [Vec<Ball>; 2],
 }
 
-impl Reference {
+impl CertifiedValues {
     /// Integrates the equation of motion at every `u`, for both ends of contact.
     ///
     /// # Errors
@@ -64,7 +64,7 @@ mod tests {
 
     #[test]
     fn errors_are_relative_to_the_certified_value() {
-        let reference = Reference::new(vec![1.0], &|| ()).unwrap();
+        let reference = CertifiedValues::new(vec![1.0], &|| ()).unwrap();
         let [good, bad] =
             [0.331_164_810_466_640_9, 0.331_2].map(|v| reference.errors(&[v], End::ZeroCompression)[0]);
         assert!(good < 2e-16 && (bad - 1.0626e-4).abs() < 1e-8, "{good:e} {bad:e}");
