@@ -210,3 +210,46 @@ fn no_source_is_too_long_to_be_one_thing() {
     }
     assert!(long.is_empty(), "more than {LONGEST} lines:\n{}", long.join("\n"));
 }
+
+/// The crates whose functions others call one by one.
+const LOWER: [&str; 10] =
+    ["real", "series", "pade", "direct", "law", "closed", "approximate", "fit", "units", "table"];
+
+/// The functions outside of `impl` that are public and have no example.
+fn without_example(text: &str) -> Vec<String> {
+    let (mut found, mut has_example) = (Vec::new(), false);
+    for line in text.lines() {
+        if line.starts_with("/// ```") {
+            has_example |= line.trim_end() == "/// ```" || line.starts_with("/// ```no_run");
+        } else if let Some(rest) = line.strip_prefix("pub fn ") {
+            let name = rest.split(['(', '<']).next().unwrap_or_default();
+            found.extend((!has_example).then(|| name.to_owned()));
+            has_example = false;
+        } else if !line.starts_with("///") && !line.starts_with("#[") {
+            has_example = false;
+        }
+    }
+    found
+}
+
+#[test]
+fn every_function_of_the_lower_crates_has_an_example() {
+    let mut bare = Vec::new();
+    for name in LOWER {
+        let folder = root().join("crates").join(name).join("src");
+        let shown = fs::read_to_string(folder.join("lib.rs")).expect("the front page of a crate");
+        let shown = shown.split(|c: char| !c.is_alphanumeric() && c != '_').collect::<BTreeSet<_>>();
+        for text in modules(&folder).values() {
+            let functions =
+                without_example(text).into_iter().filter(|function| shown.contains(function.as_str()));
+            bare.extend(functions.map(|function| format!("{name}: {function}")));
+        }
+    }
+    assert!(bare.is_empty(), "functions without an example:\n{}", bare.join("\n"));
+    assert_eq!(
+        without_example(
+            "/// A.\n/// ```text\n/// x\n/// ```text\npub fn a() {}\n/// ```\npub fn b() {}\npub fn c() {}"
+        ),
+        ["a", "c"]
+    );
+}

@@ -45,6 +45,20 @@ const PLACE_DIGITS: usize = 10;
 /// # Errors
 ///
 /// [`PadeError::Undecided`].
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_approximate::shown_places;
+/// use restitution_pade::PadeError;
+/// use restitution_real::Rationals;
+///
+/// let ints = |p: &[i64]| p.iter().map(|&c| BigRational::from_integer(c.into())).collect::<Vec<_>>();
+/// assert_eq!(shown_places(&Rationals, &ints(&[-2, 0, 1]), 6)?, ["1.41421"]); // x^2 - 2 on [0, inf)
+/// assert!(shown_places(&Rationals, &ints(&[2, 0, 1]), 6)?.is_empty());
+/// # Ok::<(), PadeError>(())
+/// ```
 pub fn shown_places<F: OrderedField>(
     field: &F,
     p: &[F::Number],
@@ -167,6 +181,21 @@ pub type Constant = (&'static str, usize, String);
 /// # Errors
 ///
 /// [`PadeError::Undecided`] if a ball does not prove the digits.
+///
+/// # Examples
+///
+/// ```
+/// use restitution_approximate::constants;
+/// use restitution_pade::{PadeError, RationalFunction};
+/// use restitution_real::{Ball, Balls};
+///
+/// let field = Balls::new(64);
+/// let function = RationalFunction::new(&field, vec![Ball::from_integer(1, 64)], vec![Ball::from_ratio(3, 1, 64), Ball::from_ratio(1, 1, 64)])?;
+/// assert_eq!(constants(&function, 5)?[0], ("num", 0, "0.33333".to_owned()));
+///
+/// assert!(matches!(constants(&function, 50), Err(PadeError::Undecided { .. })));
+/// # Ok::<(), PadeError>(())
+/// ```
 pub fn constants(function: &RationalFunction<Balls>, digits: usize) -> Result<Vec<Constant>, PadeError> {
     let parts = [("num", function.num()), ("den", function.den())];
     let all = parts.into_iter().flat_map(|(part, p)| p.iter().enumerate().map(move |(k, c)| (part, k, c)));
@@ -216,6 +245,28 @@ fn shown(value: &Ball, digits: usize) -> Option<String> {
 /// # Errors
 ///
 /// Those of [`Expansion::sample`], and of a range that is none.
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_approximate::{ApproximateError, Expansion, Request, error_on_range, judge};
+/// use restitution_direct::End;
+/// use restitution_law::ForceLaw;
+/// use restitution_pade::PadeType;
+///
+/// let number = |n: i64| BigRational::from_integer(n.into());
+/// let dashpot = Expansion::new(&"1,0".parse::<ForceLaw>().expect("a law"), End::ZeroCompression, None)?;
+/// let range = (number(0), number(1));
+/// let request = Request { asked: PadeType::new(1, 2), at_infinity: 0, digits: 6, range, level: number(1) };
+/// let found = judge(&dashpot, &request)?.approximant;
+/// let worst = error_on_range(&dashpot, &found, &request.range)?;
+/// assert!(worst.at == number(1) && worst.error.upper() < 0.06);
+///
+/// let backwards = error_on_range(&dashpot, &found, &(number(1), number(0)));
+/// assert!(matches!(backwards, Err(ApproximateError::Pade(_))));
+/// # Ok::<(), ApproximateError>(())
+/// ```
 pub fn error_on_range(
     expansion: &Expansion,
     approximant: &Approximant<Balls>,
@@ -230,6 +281,28 @@ pub fn error_on_range(
 /// # Errors
 ///
 /// Those of [`Expansion::sample`].
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_approximate::{ApproximateError, Expansion, Request, error_reach, judge};
+/// use restitution_direct::End;
+/// use restitution_law::ForceLaw;
+/// use restitution_pade::PadeType;
+///
+/// let number = |n: i64| BigRational::from_integer(n.into());
+/// let dashpot = Expansion::new(&"1,0".parse::<ForceLaw>().expect("a law"), End::ZeroCompression, None)?;
+/// let range = (number(0), number(1));
+/// let request = Request { asked: PadeType::new(1, 2), at_infinity: 0, digits: 6, range, level: number(1) };
+/// let found = judge(&dashpot, &request)?.approximant;
+/// let thousandth = BigRational::new(1.into(), 1000.into());
+/// let reach = error_reach(&dashpot, &found, &thousandth, &number(1))?;
+/// assert!(matches!(reach, restitution_pade::Reach::UpTo(u) if u > thousandth && u < number(1)));
+///
+/// assert!(error_reach(&dashpot, &found, &thousandth, &number(-1)).is_err());
+/// # Ok::<(), ApproximateError>(())
+/// ```
 pub fn error_reach(
     expansion: &Expansion,
     approximant: &Approximant<Balls>,

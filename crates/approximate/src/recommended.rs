@@ -107,6 +107,17 @@ pub struct Candidate {
 /// # Errors
 ///
 /// Those of [`Expansion`].
+///
+/// # Examples
+///
+/// ```no_run
+/// use restitution_approximate::{ApproximateError, recommended};
+/// use restitution_direct::End;
+///
+/// let goals = recommended(End::ZeroForce, || ())?; // minutes
+/// assert!(goals[0].reached.is_some() && goals.iter().any(|goal| goal.reached.is_none()));
+/// # Ok::<(), ApproximateError>(())
+/// ```
 pub fn recommended(end: End, mut after_each_cost: impl FnMut()) -> Result<Vec<Goal>, ApproximateError> {
     let mut search = Search::new(end)?;
     for cost in 0..=search.largest_cost() {

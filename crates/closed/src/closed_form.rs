@@ -42,6 +42,21 @@ pub struct Term {
 }
 
 /// A coefficient `C_k`, `a_k` or `h_k` of one law, exactly.
+///
+/// # Examples
+///
+/// ```
+/// use restitution_closed::{ClosedError, Family, Reduction, closed_form};
+/// use restitution_law::ForceLaw;
+///
+/// let spheres = ForceLaw::viscoelastic_spheres();
+/// let fourth = closed_form(Family::Scaled, &spheres, 4, Reduction::Special)?;
+/// assert_eq!((fourth.name(), fourth.terms.len(), fourth.constants().len()), ("a_4".into(), 2, 2));
+///
+/// let beyond = closed_form(Family::Scaled, &spheres, 13, Reduction::Special);
+/// assert!(matches!(beyond, Err(ClosedError::BeyondAlgebra { .. })));
+/// # Ok::<(), ClosedError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosedForm {
     /// Which family.

@@ -12,6 +12,21 @@ use restitution_series::DelayedRecovery;
 pub const LARGEST_BETA_ORDER: usize = 4;
 
 /// A family of coefficients with a closed form.
+///
+/// # Examples
+///
+/// ```
+/// use restitution_closed::{ClosedError, Family};
+/// use restitution_law::ForceLaw;
+///
+/// let spheres = ForceLaw::viscoelastic_spheres();
+/// assert_eq!(Family::Scaled.largest_index(&spheres)?, 4);
+/// assert_eq!(Family::DelayedRecovery.largest_index(&spheres)?, 9); // powers of sqrt(u)
+///
+/// let no_end: ForceLaw = "1,2".parse().unwrap();
+/// assert!(matches!(Family::DelayedRecovery.largest_index(&no_end), Err(ClosedError::Series(_))));
+/// # Ok::<(), ClosedError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// `C_k` of `eps = 1 + C_1 u + C_2 u^2 + ...` (A30).
@@ -238,6 +253,15 @@ fn power_of(c: &[Ball], power: &BigRational, bits: u32) -> Vec<Ball> {
 /// Bytes that [`low_orders`] and the decimals of its values take at the peak, for so many digits.
 ///
 /// Above what was measured: 49 MB for 10^6 digits of four coefficients, 11 MB for 10^5.
+///
+/// # Examples
+///
+/// ```
+/// use restitution_closed::memory_estimate;
+///
+/// assert!(memory_estimate(1_000_000) > 4.9e7); // 49 MB were measured
+/// assert!(memory_estimate(20) < 3e7);
+/// ```
 pub fn memory_estimate(digits: usize) -> f64 {
     400.0 * digits as f64 + 2e7
 }

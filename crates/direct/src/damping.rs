@@ -44,6 +44,31 @@ enum Source {
 }
 
 /// Two equal viscoelastic spheres, in SI units.
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_direct::{Damping, DirectError, EqualSpheres};
+///
+/// let number = |n: i64| BigRational::from_integer(n.into());
+/// let ice = EqualSpheres {
+///     dissipative_constant: BigRational::new(1.into(), 10_000.into()), // s
+///     young: number(9_400_000_000),                                    // Pa
+///     poisson: BigRational::new(33.into(), 100.into()),
+///     density: number(917),                                            // kg/m^3
+///     radius: BigRational::new(11.into(), 400.into()),                 // m
+/// };
+/// let u = Damping::of_equal_spheres(&ice, &BigRational::new(1.into(), 100.into()))?; // at 1 cm/s
+/// assert_eq!(u.at(64).to_digits(6).as_deref(), Some("0.798041"));
+///
+/// let stiff = EqualSpheres { young: number(0), ..ice };
+/// assert_eq!(
+///     Damping::of_equal_spheres(&stiff, &number(1)).unwrap_err(),
+///     DirectError::NotPositive { what: "Young's modulus" }
+/// );
+/// # Ok::<(), DirectError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EqualSpheres {
     /// The dissipative constant `A`.

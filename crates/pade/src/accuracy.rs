@@ -57,6 +57,21 @@ pub fn grid(low: &BigRational, high: &BigRational, intervals: u32) -> Result<Vec
 /// # Errors
 ///
 /// [`PadeError::Undecided`] if an enclosure of `Q(x)` contains zero.
+///
+/// # Examples
+///
+/// ```
+/// use restitution_pade::{PadeError, RationalFunction, Sample, relative_error};
+/// use restitution_real::{Ball, Balls};
+///
+/// let number = |n: i64| Ball::from_integer(n, 64);
+/// let line = RationalFunction::new(&Balls::new(64), vec![number(1)], vec![number(1), number(-1)])?; // 1/(1 - x)
+/// let at = |x: i64, value: i64| Sample { x: number(x), value: number(value) };
+/// assert!(relative_error(&line, &at(2, -2))?.contains(&Ball::from_ratio(1, 2, 64))); // -1 for -2
+///
+/// assert!(matches!(relative_error(&line, &at(1, 1)), Err(PadeError::Undecided { .. }))); // the pole
+/// # Ok::<(), PadeError>(())
+/// ```
 pub fn relative_error(function: &RationalFunction<Balls>, sample: &Sample) -> Result<Ball, PadeError> {
     Ok((function.value(&sample.x)? / &sample.value - Ball::from_integer(1, sample.x.prec())).abs())
 }
@@ -119,6 +134,27 @@ const HALVINGS: usize = 12;
 /// # Errors
 ///
 /// As [`largest_error`].
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_pade::{PadeError, RationalFunction, Reach, Sample, grid, largest_reach};
+/// use restitution_real::{Ball, Balls};
+///
+/// let number = |n: i64| BigRational::from_integer(n.into());
+/// let ball = |n: i64| Ball::from_integer(n, 64);
+/// let line = RationalFunction::new(&Balls::new(64), vec![ball(1), ball(1)], vec![ball(1)])?; // 1 + x for the function 1
+/// let sample = |x: &BigRational| Ok::<_, PadeError>(Sample { x: Ball::from_rational(x, 64), value: ball(1) });
+/// let points = grid(&number(0), &number(1), 8)?;
+/// let tenth = BigRational::new(1.into(), 10.into());
+/// assert!(matches!(largest_reach(&line, &points, &tenth, sample)?, Reach::UpTo(x) if x <= tenth));
+/// assert_eq!(largest_reach(&line, &points, &number(2), sample)?, Reach::Everywhere);
+///
+/// let fails = |_: &BigRational| Err(PadeError::PoleAtZero);
+/// assert!(largest_reach(&line, &points, &tenth, fails).is_err());
+/// # Ok::<(), PadeError>(())
+/// ```
 pub fn largest_reach<E: From<PadeError>>(
     function: &RationalFunction<Balls>,
     points: &[BigRational],

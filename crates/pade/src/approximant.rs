@@ -31,6 +31,22 @@ impl fmt::Display for Contact {
 }
 
 /// A Padé approximant in lowest terms, with what it is an approximant of.
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_pade::{PadeError, PadeType, approximant};
+/// use restitution_real::Rationals;
+///
+/// let series = [1, -1, 1, -1, 1].map(|n| BigRational::from_integer(n.into())); // 1/(1 + x)
+/// let found = approximant(&Rationals, &series, PadeType::new(2, 2))?;
+/// assert_eq!((found.asked().to_string(), found.exact_type().to_string()), ("[2/2]".into(), "[0/1]".into()));
+///
+/// let longer = approximant(&Rationals, &series, PadeType::new(3, 3));
+/// assert!(matches!(longer, Err(PadeError::NotEnoughCoefficients { needed: 7, known: 5, .. })));
+/// # Ok::<(), PadeError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Approximant<F: Field> {
     asked: PadeType,

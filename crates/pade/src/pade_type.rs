@@ -1,6 +1,16 @@
 use std::fmt;
 
 /// The degrees of numerator and denominator, written `[L/M]`.
+///
+/// # Examples
+///
+/// ```
+/// use restitution_pade::PadeType;
+///
+/// let asked = PadeType::new(3, 8);
+/// assert_eq!((asked.to_string().as_str(), asked.conditions()), ("[3/8]", 12));
+/// assert_eq!(PadeType::new(usize::MAX, 1).conditions(), usize::MAX); // more than any series has
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct PadeType {
     /// The degree `L` of the numerator.

@@ -56,6 +56,22 @@ pub fn coefficients(
 /// # Errors
 ///
 /// As [`coefficients`].
+///
+/// # Examples
+///
+/// ```
+/// use restitution_law::ForceLaw;
+/// use restitution_series::{Quantity, SeriesError, coefficients_watched};
+///
+/// let mut seen = 0;
+/// let spheres = ForceLaw::viscoelastic_spheres();
+/// let c = coefficients_watched(Quantity::Restitution, &spheres, 2, 10, &mut |order| seen = order)?;
+/// assert_eq!((c[1].to_digits(10).as_deref(), seen > 0), (Some("-1.153448858"), true));
+///
+/// let no_end = coefficients_watched(Quantity::DelayedRecovery, &"1,2".parse().unwrap(), 2, 10, &mut |_| ());
+/// assert!(matches!(no_end, Err(SeriesError::NoZeroForceEnd { .. })));
+/// # Ok::<(), SeriesError>(())
+/// ```
 pub fn coefficients_watched(
     quantity: Quantity,
     law: &ForceLaw,

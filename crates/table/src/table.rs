@@ -1,6 +1,16 @@
 //! What a subcommand prints: a table with named columns.
 
 /// One entry of a table.
+///
+/// # Examples
+///
+/// ```
+/// use restitution_table::Cell;
+///
+/// assert_eq!(Cell::digits("0.10").plain(), "0.10"); // every digit counts
+/// assert_eq!(Cell::Float(0.10).plain(), "0.1");
+/// assert_eq!(Cell::Empty.plain(), "");
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
     /// A whole number; a number in JSON.

@@ -117,6 +117,16 @@ impl fmt::Display for Quantity {
 /// # Errors
 ///
 /// [`UnitError::MixedUnits`] with one of each.
+///
+/// # Examples
+///
+/// ```
+/// use restitution_units::{UnitError, all_or_none, velocity};
+///
+/// assert!(all_or_none(&[velocity("1cm/s")?, velocity("2m/s")?]).is_ok());
+/// assert!(matches!(all_or_none(&[velocity("1cm/s")?, velocity("2")?]), Err(UnitError::MixedUnits { .. })));
+/// # Ok::<(), UnitError>(())
+/// ```
 pub fn all_or_none(values: &[Quantity]) -> Result<(), UnitError> {
     let with = values.iter().find(|value| value.unit.is_some());
     let without = values.iter().find(|value| value.unit.is_none());

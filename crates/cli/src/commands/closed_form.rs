@@ -57,7 +57,7 @@ impl Quantity {
     fn meaning(self) -> &'static str {
         match self {
             Self::C => "eps(u) = 1 + C_1 u + C_2 u^2 + ...",
-            Self::A => "eps = 1 - a_1 x + a_2 x^2 - ..., x = -C_1 u",
+            Self::A => "eps = 1 - a_1 s + a_2 s^2 - ..., s = -C_1 u",
             Self::H => "eps(u) = sum_k h_k u^(k/d), contact ending at zero force",
         }
     }
