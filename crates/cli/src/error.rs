@@ -3,7 +3,6 @@
 use restitution_audit::AuditError;
 use restitution_closed::ClosedError;
 use restitution_law::LawError;
-use restitution_real::RealError;
 use restitution_report::ReportError;
 use restitution_series::SeriesError;
 use std::ffi::OsString;
@@ -70,12 +69,6 @@ impl From<AuditError> for CliError {
 
 impl From<ReportError> for CliError {
     fn from(error: ReportError) -> Self {
-        Self::failure(error)
-    }
-}
-
-impl From<RealError> for CliError {
-    fn from(error: RealError) -> Self {
         Self::failure(error)
     }
 }

@@ -134,17 +134,8 @@ impl TailBound {
         (0..=self.damping_order).fold(0, |terms, n| self.terms_from(n, bits, terms))
     }
 
-    /// Returns how many terms make both tails of order `n` less than `2^-bits`; `usize::MAX` for `n`
-    /// beyond the damping order.
-    pub fn terms_for_order(&self, n: usize, bits: u32) -> usize {
-        self.terms_from(n, bits, 0)
-    }
-
     /// The least number of terms that suffices, but at least `least`: by doubling, then bisection.
     fn terms_from(&self, n: usize, bits: u32, least: usize) -> usize {
-        if n > self.damping_order {
-            return usize::MAX;
-        }
         let suffices = |terms: usize| self.velocity_is_below(n, terms, bits);
         if suffices(least) {
             return least;
