@@ -1,7 +1,7 @@
 //! The command `restitution`: arguments in, one table out.
 //!
 //! [`run`] reads the arguments and carries one subcommand out. What subcommands share lives here:
-//! parsed arguments ([`args`], [`units`]), where its tables go ([`output`]),
+//! parsed arguments ([`args`], [`units`]), which files it reads ([`input`]), where its tables go ([`output`]),
 //! errors and exit codes ([`error`]), the limits of the machine ([`memory`]) and the progress bar
 //! ([`progress`]). The subcommands themselves, and how to add one, are in [`commands`]. Nothing is computed here: arithmetic in
 //! double precision is a lint that is denied, but for grids of arguments and bytes of memory.
@@ -12,6 +12,7 @@ pub mod args;
 pub mod commands;
 pub mod error;
 pub mod hint;
+pub mod input;
 pub mod interrupt;
 #[expect(clippy::float_arithmetic, reason = "points of grids")]
 pub mod list;

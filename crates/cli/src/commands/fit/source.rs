@@ -1,12 +1,10 @@
 //! Where the measurements come from and how they are to be read.
 
-use crate::CliError;
 use crate::units::{self, Dimension, Quantity};
+use crate::{CliError, input};
 use restitution_fit::sheet::{Decimal, Dialect, Separator};
 use restitution_fit::{Data, DataOptions, Method, STANDARD_GRAVITY};
-use std::fs::File;
-use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// The largest file that is read: ten million rows of two columns.
 const LARGEST_FILE: u64 = 256_000_000;
@@ -94,7 +92,9 @@ impl SourceArgs {
     /// Reads the measurements.
     pub(super) fn read(&self) -> Result<Data, CliError> {
         let (name, bytes) = match &self.data {
-            Some(path) => (path.display().to_string(), read_file(path)?),
+            Some(path) => {
+                (path.display().to_string(), input::read(path, LARGEST_FILE, "give a table of measurements")?)
+            }
             None => ("ice".to_owned(), ICE.as_bytes().to_vec()),
         };
         Data::read(bytes, &self.options()?).map_err(|error| CliError::usage(format!("'{name}' {error}")))
@@ -133,32 +133,6 @@ impl SourceArgs {
             skip_missing: self.skip_missing,
         })
     }
-}
-
-fn read_file(path: &Path) -> Result<Vec<u8>, CliError> {
-    let name = path.display();
-    let cannot = |error: std::io::Error| {
-        let reason = error.to_string().to_lowercase();
-        let reason = reason.split(" (os error").next().unwrap_or_default();
-        CliError::usage(format!("cannot read '{name}': {reason}"))
-    };
-    let mut bytes = Vec::new();
-    let source: Box<dyn Read> = match path.to_str() {
-        Some("-") => Box::new(std::io::stdin()),
-        _ => {
-            let file = File::open(path).map_err(cannot)?;
-            bytes.reserve(file.metadata().map_or(0, |meta| meta.len().min(LARGEST_FILE) as usize));
-            Box::new(file)
-        }
-    };
-    source.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(cannot)?;
-    if bytes.len() as u64 > LARGEST_FILE {
-        let most = LARGEST_FILE / 1_000_000;
-        return Err(CliError::usage(format!(
-            "'{name}' has more than {most} MB: give a table of measurements"
-        )));
-    }
-    Ok(bytes)
 }
 
 fn velocity_unit(text: &str) -> Result<String, String> {

@@ -3,12 +3,11 @@
 use super::Form;
 use super::judgement::say;
 use crate::exact::Exact;
-use crate::{Cell, CliError, Table};
+use crate::{Cell, CliError, Table, input};
 use num_rational::BigRational;
 use restitution_approximate::{rational_digits, shown_places};
 use restitution_pade::{Contact, PadeType, approximant, verdict};
 use restitution_real::Rationals;
-use std::io::Read;
 use std::path::Path;
 
 /// The largest file that is read, in bytes.
@@ -64,17 +63,7 @@ pub fn table(path: &Path, asked: PadeType, form: Form, digits: usize) -> Result<
 /// Reads coefficients, constant term first, separated by blanks, commas, semicolons or lines; `#` begins a comment.
 fn read(path: &Path) -> Result<Vec<BigRational>, CliError> {
     let name = path.display();
-    let mut bytes = Vec::new();
-    let source: Box<dyn Read> = if path == Path::new("-") {
-        Box::new(std::io::stdin())
-    } else {
-        let file = std::fs::File::open(path);
-        Box::new(file.map_err(|error| unreadable(path, &error))?)
-    };
-    source.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(|error| unreadable(path, &error))?;
-    if bytes.len() as u64 > LARGEST_FILE {
-        return Err(CliError::usage(format!("'{name}' has more than 4 MB: give a series of coefficients")));
-    }
+    let bytes = input::read(path, LARGEST_FILE, "give a series of coefficients")?;
     let text = String::from_utf8(bytes).map_err(|_| {
         CliError::usage(format!("'{name}' is not text: give numbers such as 1, -0.25 or 3/7"))
     })?;
@@ -95,10 +84,4 @@ fn read(path: &Path) -> Result<Vec<BigRational>, CliError> {
         )));
     }
     Ok(series)
-}
-
-fn unreadable(path: &Path, error: &std::io::Error) -> CliError {
-    let reason = error.to_string().to_lowercase();
-    let reason = reason.split(" (os error").next().unwrap_or_default();
-    CliError::usage(format!("cannot read '{}': {reason}", path.display()))
 }
