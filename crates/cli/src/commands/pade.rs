@@ -143,7 +143,7 @@ impl PadeArgs {
         self.output.check()?;
         if self.list.is_none() && self.table.is_none() && self.denominator.is_none() {
             return Err(CliError::usage(
-                "an approximant has two degrees: give L and M such as 3 8, or --table N, or --list",
+                "an approximant has two degrees: give <L> <M> such as 3 8, or --table N, or --list",
             ));
         }
         let table = match (self.list, self.table) {
