@@ -4,10 +4,12 @@ use super::damped::Motion;
 use super::inverse::{Exponents, logarithm};
 use super::inverse_proof;
 use super::motion_proof::{self, Outcome};
+use super::sketch::Unbounded;
 use super::turning::{Neighbourhood, TurningScale};
 use super::turning_proof;
 use super::units::{Scale, fixed, log_singular_ratio};
 use crate::kernels::{Fixed, Workshop, size_for};
+use crate::turning_time;
 use crate::vanishing::vanish;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
@@ -17,10 +19,12 @@ use rug::{Float, Integer};
 
 /// Bits before the point: no coefficient of a provable expansion needs so many, but those of large powers.
 const HEAD: u32 = 48;
-/// Exponents beyond which powers need more bits, and how many more.
+/// Exponents beyond which powers need more bits: for each one more at most so many, and this multiple of what the
+/// power of the undamped trajectory itself has.
 const LARGE_POWER: f64 = 16.0;
 const BITS_OF_LARGE_POWERS: f64 = 2.5;
-/// Of these, bits that a row may have; the rest is for sums and weights.
+const SPARE: f64 = 3.0;
+/// Of these, bits that a row may have, but those of large powers; the rest is for sums and weights.
 const ROW_HEAD: u32 = 12;
 
 /// The largest order that is proved.
@@ -56,6 +60,8 @@ pub(crate) enum Failure {
     Norms,
     /// The sums were cut off so many terms too early.
     Terms(usize),
+    /// So many bits more of working precision are needed.
+    Bits(u32),
 }
 
 /// The law with its largest orders: `damping` of the trajectories, `last` of the expansion.
@@ -65,16 +71,56 @@ pub(crate) struct Request<'l> {
     pub last: usize,
 }
 
-/// Bits before the point for the powers of a law.
-fn head(law: &ForceLaw) -> u32 {
+/// Bits before the point that the powers of a law need beyond [`HEAD`].
+fn bits_of_powers(law: &ForceLaw) -> u32 {
     let exponent = |x: &BigRational| x.to_f64().unwrap_or(f64::MAX);
     let excess = exponent(law.a()).max(exponent(&law.damping_step())) - LARGE_POWER;
-    HEAD + (BITS_OF_LARGE_POWERS * excess).clamp(0.0, 4096.0) as u32
+    // F is least at T, where it is x_0(T)/T, and largest next to the singularity.
+    let (time, step) = (turning_time(law, 64).to_f64(), exponent(&law.elastic_step()));
+    let least = time.log2() - (step / 2.0).log2() / step;
+    let largest = -2.0 / (step - 2.0).max(0.5) * (log_singular_ratio(law).exp2() - 1.0).min(1.0).log2();
+    let bits = (SPARE * least.max(largest)).min(BITS_OF_LARGE_POWERS);
+    (bits * excess).clamp(0.0, 4096.0) as u32
+}
+
+/// Bits before the point for the powers of a law.
+fn head(law: &ForceLaw) -> u32 {
+    HEAD + bits_of_powers(law)
+}
+
+/// Of these, bits that a row may have.
+fn row_head(law: &ForceLaw) -> u32 {
+    ROW_HEAD + bits_of_powers(law) / 2
 }
 
 /// The terms of the trajectories at a precision.
 pub(crate) fn size_for_bits(law: &ForceLaw, bits: u32, margin: usize) -> usize {
     size_for((f64::from(bits) / log_singular_ratio(law)).ceil() as usize + margin)
+}
+
+/// About the norms of the larger power in the equation of motion, by damping order.
+pub(crate) fn norms_of_powers(request: &Request, plan: Plan) -> Option<Vec<f64>> {
+    let (_, shop, motion) = motion(request, plan, &mut |_| ())?;
+    let norm = |row: &Fixed| row.norm(i64::from(shop.bits()), 1.0).to_f64();
+    let sum = |rows: &[Fixed]| rows.iter().map(norm).collect::<Vec<f64>>();
+    let (pull, friction) = (sum(&motion.force), sum(&motion.friction));
+    let large = |norms: &[f64]| norms[1..].iter().sum::<f64>() / norms[0];
+    Some(if friction.is_empty() || large(&pull) >= large(&friction) { pull } else { friction })
+}
+
+/// Approximate trajectories, if their coefficients have the bits for it.
+fn motion(request: &Request, plan: Plan, watch: &mut dyn FnMut(usize)) -> Option<(Scale, Workshop, Motion)> {
+    let (law, bits) = (request.law, plan.bits);
+    let scale = Scale::new(law, plan.lambda, bits);
+    let most = Float::with_val(64, 1) << (row_head(law) - 2);
+    let ratio = scale.ratio.0 as f64 / scale.ratio.1 as f64;
+    if scale.elastic.abs_up() > most || scale.damping.abs_up() > most || ratio > most.to_f64() {
+        return None;
+    }
+    let shop = Workshop::new(bits, head(law), ((log_singular_ratio(law) * 0.85 * 64.0) as usize, 64));
+    let size = size_for_bits(law, bits, plan.margin);
+    let motion = Motion::derive(&shop, &scale, request.damping, size, bits + row_head(law), watch)?;
+    Some((scale, shop, motion))
 }
 
 /// Derives and proves the expansion of a law.
@@ -86,24 +132,17 @@ pub(crate) fn attempt(
     let law = request.law;
     let bits = plan.bits;
     debug_assert!(request.last.max(request.damping) <= LARGEST_ORDER);
-    let scale = Scale::new(law, plan.lambda, bits);
-    let most = Float::with_val(64, 1) << (ROW_HEAD - 2);
-    let ratio = scale.ratio.0 as f64 / scale.ratio.1 as f64;
-    if scale.elastic.abs_up() > most || scale.damping.abs_up() > most || ratio > most.to_f64() {
-        return Err(Failure::Norms);
-    }
+    let (scale, shop, motion) = motion(request, plan, watch).ok_or(Failure::Norms)?;
     let slope = log_singular_ratio(law);
-    let shop = Workshop::new(bits, head(law), ((slope * 0.85 * 64.0) as usize, 64));
-    let size = size_for_bits(law, bits, plan.margin);
-    let motion =
-        Motion::derive(&shop, &scale, request.damping, size, bits + ROW_HEAD, watch).ok_or(Failure::Norms)?;
-    let outcome = motion_proof::bound(&shop, &scale, &motion, slope).ok_or(Failure::Norms)?;
+    let outcome = motion_proof::bound(&shop, &scale, &motion, slope);
     if shop.overflowed() {
         return Err(Failure::Norms);
     }
     let errors = match outcome {
-        Outcome::Bounded(errors) => errors,
-        Outcome::Cut(terms) => return Err(Failure::Terms(terms)),
+        Ok(Outcome::Bounded(errors)) => errors,
+        Ok(Outcome::Cut(terms)) => return Err(Failure::Terms(terms)),
+        Err(Unbounded::Bits(bits)) => return Err(Failure::Bits(bits)),
+        Err(_) => return Err(Failure::Norms),
     };
 
     let flat = Workshop::new(bits, head(law), (0, 1));
@@ -270,7 +309,7 @@ mod tests {
             match attempt(&request, plan, &mut |_| ()) {
                 Ok(expansion) => return (expansion, plan.lambda),
                 Err(Failure::Terms(terms)) => plan.margin += terms + 16,
-                Err(Failure::Norms) => plan.lambda *= 0.7,
+                Err(Failure::Norms | Failure::Bits(_)) => plan.lambda *= 0.7,
             }
             assert!(plan.lambda > 1e-3, "{law}: nothing was proved");
         }
@@ -341,7 +380,7 @@ mod tests {
         let size = size_for_bits(&law, bits, 24);
         let motion = Motion::derive(&shop, &scale, 4, size, bits + ROW_HEAD, &mut |_| ()).unwrap();
         let outcome = motion_proof::bound(&shop, &scale, &motion, log_singular_ratio(&law));
-        let Some(Outcome::Bounded(errors)) = outcome else { panic!("{outcome:?}") };
+        let Ok(Outcome::Bounded(errors)) = outcome else { panic!("{outcome:?}") };
         let flat = Workshop::new(bits, HEAD, (0, 1));
         let start = Start::new(&law, &scale, &motion, errors, bits);
         let turning = start.turning(1.5 * start.first_step());

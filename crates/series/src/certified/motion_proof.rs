@@ -12,11 +12,15 @@ use rug::Integer;
 pub(crate) const SETTLED: f64 = 0.51;
 /// How much larger than all else the error of the cut may be before more terms are asked for.
 const CUT: f64 = 64.0;
+/// How many times as many terms may be asked for.
+const MOST_FOLDS: usize = 4;
 /// Bins for exponents, at most.
 const MOST_BINS: usize = 6000;
 /// Bins for the smaller step of the exponents, and at most so many for the larger one.
 const BINS_PER_STEP: f64 = 4.0;
 const MOST_BINS_PER_STEP: f64 = 128.0;
+/// How often their width is doubled at most.
+const WIDER: u32 = 3;
 
 /// Bounds of the errors of all orders together, in units of the fixed point.
 #[derive(Clone, Copy, Debug)]
@@ -46,9 +50,27 @@ fn exact(x: f64) -> Magnitude {
     Magnitude::exact(x * (1.0 + 1e-12))
 }
 
-/// Proves bounds of the errors, or `None` if the norms are too large for the theorem.
-pub(crate) fn bound(shop: &Workshop, scale: &Scale, motion: &Motion, slope: f64) -> Option<Outcome> {
-    in_detail(|detail| bound_in(detail, shop, scale, motion, slope))
+/// Proves bounds of the errors, if the norms are not too large for the theorem.
+pub(crate) fn bound(
+    shop: &Workshop,
+    scale: &Scale,
+    motion: &Motion,
+    slope: f64,
+) -> Result<Outcome, Unbounded> {
+    let pull = Force { steps: scale.powers()[0], rows: &motion.force, defects: &motion.force_defects };
+    let friction =
+        Force { steps: scale.powers()[1], rows: &motion.friction, defects: &motion.friction_defects };
+    let pull = defects(shop, scale, motion, &pull, slope);
+    let friction = (!scale.shared).then(|| defects(shop, scale, motion, &friction, slope));
+    // A few bits lost by the cut cost less than more terms.
+    let cut = friction.iter().fold(pull.cut(), |cut, friction| cut.max(friction.cut()));
+    if cut > CUT {
+        let terms = (cut.log2() / (0.9 * slope)).ceil() as usize;
+        // Rounding that grows so far is not a matter of terms.
+        let folds = terms < MOST_FOLDS * motion.f[0].len();
+        return if folds { Ok(Outcome::Cut(terms)) } else { Err(Unbounded::Bits(shop.bits() / 2)) };
+    }
+    in_detail(|detail| bound_in(detail, shop, scale, motion, slope, &pull, friction.as_ref()))
 }
 
 fn bound_in(
@@ -57,53 +79,38 @@ fn bound_in(
     scale: &Scale,
     motion: &Motion,
     slope: f64,
+    pull: &Defects,
+    friction: Option<&Defects>,
 ) -> Result<Outcome, Unbounded> {
     let unit = scale.lattice.unit as f64;
     let (elastic, damping) = (scale.lattice.elastic as f64 / unit, scale.lattice.damping as f64 / unit);
     let grading = Grading { row: damping, column: elastic };
-    let powers = Powers::new(Sketch::new(&motion.f, shop.bits(), grading, detail)?, grading)?;
-    let pull = Force { steps: scale.powers()[0], rows: &motion.force, defects: &motion.force_defects };
+    let powers = Powers::new(Sketch::new(&motion.f, &motion.force, shop.bits(), grading, detail)?, grading)?;
     let stiffness = powers.power(elastic - 2.0)?;
-    let (pull_error, mut folded) = force_error(shop, scale, motion, &pull, &powers, stiffness.norm(), slope)?;
-    let (drag, drag_error) = if scale.shared {
-        let ratio = exact(scale.ratio.0 as f64 / scale.ratio.1 as f64);
-        (stiffness.clone(), pull_error * ratio)
-    } else {
-        let friction =
-            Force { steps: scale.powers()[1], rows: &motion.friction, defects: &motion.friction_defects };
-        let drag = powers.power(damping - 1.0)?;
-        let (error, of_friction) = force_error(shop, scale, motion, &friction, &powers, drag.norm(), slope)?;
-        folded = folded + of_friction;
-        (drag, error)
+    let (pull_error, mut folded) = pull.force_error(&powers, stiffness.norm())?;
+    let (drag, drag_error) = match friction {
+        None => {
+            let ratio = exact(scale.ratio.0 as f64 / scale.ratio.1 as f64);
+            (stiffness.clone(), pull_error * ratio)
+        }
+        Some(friction) => {
+            let drag = powers.power(damping - 1.0)?;
+            let (error, of_friction) = friction.force_error(&powers, drag.norm())?;
+            folded = folded + of_friction;
+            (drag, error)
+        }
     };
 
     let (residual, last) = residual(scale, motion);
-    // A few bits lost by the cut cost less than more terms.
     let rest = residual.to_f64() + pull_error.to_f64() + drag_error.to_f64();
     let cut = (last + folded).to_f64() / (rest - (last + folded).to_f64()).max(1.0);
     if cut > CUT {
         return Ok(Outcome::Cut((cut.log2() / (0.9 * slope)).ceil() as usize));
     }
     let residual = residual + pull_error * exact(1.0 / elastic) + drag_error * exact(1.0 / damping);
-    let width = elastic.min(damping) / BINS_PER_STEP;
-    let width = width.max(elastic.max(damping) / MOST_BINS_PER_STEP);
-    let bin = |e: f64| (e / width - 1e-9).max(0.0) as usize;
-    let binned = |sketch: &Sketch, factor: Magnitude| -> Vec<Magnitude> {
-        let norms = sketch.norms_by(|n, j| bin(damping * n as f64 + elastic * j as f64));
-        norms.into_iter().map(|norm| norm * factor).collect()
-    };
     let (e, d) = (Magnitude::of(&scale.elastic), Magnitude::of(&scale.damping));
     let power = elastic - 1.0;
-    let low = |b: usize| b as f64 * width;
-    let causes = [
-        Cause {
-            step: bin(elastic),
-            sizes: &binned(&stiffness, e * exact(power)),
-            weight: &|b, place| 1.0 / ((low(b) + 1.0) * low(place)),
-        },
-        Cause { step: bin(damping), sizes: &binned(&drag, d), weight: &|b, _| 1.0 / (low(b) + 1.0) },
-    ];
-    let growth = response(bin(elastic.min(damping)), &causes, MOST_BINS).ok_or(Unbounded::Large)?;
+    let growth = growth(grading, (&stiffness, e * exact(power)), (&drag, d)).ok_or(Unbounded::Large)?;
 
     // What is of second order in the error must stay below the residual.
     let velocity = growth * residual * Magnitude::exact(2.0);
@@ -114,29 +121,56 @@ fn bound_in(
     };
     let second = curvature(e, power, stiffness.norm(), elastic) + curvature(d, damping, drag.norm(), damping);
     let second = second * relative * powers.reciprocal() * velocity;
-    let allowed = (relative * exact(power.max(damping).max(1.0))).to_f64() <= 0.5 && second <= residual;
+    let excess = 2.0 * (relative * exact(power.max(damping).max(1.0))).to_f64();
+    let excess = excess.max(second.to_f64() / residual.to_f64());
     let position = velocity * exact(1.0 / (1.0 + elastic.min(damping)));
-    (allowed && velocity.is_finite())
-        .then_some(Outcome::Bounded(MotionErrors { position, velocity }))
-        .ok_or(Unbounded::Large)
+    match excess {
+        ..=1.0 if velocity.is_finite() => Ok(Outcome::Bounded(MotionErrors { position, velocity })),
+        1.0.. if excess.is_finite() => Err(Unbounded::Bits(excess.log2().ceil() as u32)),
+        _ => Err(Unbounded::Large),
+    }
 }
 
-/// `||H - c F^p||` for the rows `H` found and the polynomial `F` found: `||F^p||` times
-///
-/// ```text
-/// |h - c| + ||F^(-p-1)|| (||r_0|| + sum_(n >= 1) ||r_n||/n)
-/// ```
-///
-/// with the defects `r`, where products were cyclic: what was folded over counts twice.
-fn force_error(
-    shop: &Workshop,
-    scale: &Scale,
-    motion: &Motion,
-    force: &Force,
-    powers: &Powers,
-    lower_power: Magnitude,
-    slope: f64,
-) -> Result<(Magnitude, Magnitude), Unbounded> {
+/// The response of the linearised problem, with bins that are wider where there would be too many.
+fn growth(
+    grading: Grading,
+    (stiffness, e): (&Sketch, Magnitude),
+    (drag, d): (&Sketch, Magnitude),
+) -> Option<Magnitude> {
+    let Grading { row: damping, column: elastic } = grading;
+    let width = (elastic.min(damping) / BINS_PER_STEP).max(elastic.max(damping) / MOST_BINS_PER_STEP);
+    (0..=WIDER).find_map(|doubled| {
+        let width = width * f64::from(1 << doubled);
+        let bin = |exponent: f64| (exponent / width - 1e-9).max(0.0) as usize;
+        let binned = |sketch: &Sketch, factor: Magnitude| -> Vec<Magnitude> {
+            let norms = sketch.norms_by(|n, j| bin(damping * n as f64 + elastic * j as f64));
+            norms.into_iter().map(|norm| norm * factor).collect()
+        };
+        let low = |b: usize| b as f64 * width;
+        let causes = [
+            Cause {
+                step: bin(elastic),
+                sizes: &binned(stiffness, e),
+                weight: &|b, place| 1.0 / ((low(b) + 1.0) * low(place)),
+            },
+            Cause { step: bin(damping), sizes: &binned(drag, d), weight: &|b, _| 1.0 / (low(b) + 1.0) },
+        ];
+        response(bin(elastic.min(damping)), &causes, MOST_BINS)
+    })
+}
+
+/// How far the rows found for a power are from being one.
+struct Defects {
+    power: f64,
+    /// `||r_0|| + sum_(n >= 1) ||r_n||/n` as found, in units of the lattice, and what was folded over.
+    found: Magnitude,
+    folded: Magnitude,
+    /// About what rounding alone leaves.
+    rounding: f64,
+}
+
+/// The defects `r` of a force, where products were cyclic: what was folded over counts twice.
+fn defects(shop: &Workshop, scale: &Scale, motion: &Motion, force: &Force, slope: f64) -> Defects {
     let unit = scale.lattice.unit;
     let power = force.steps as f64 / unit as f64;
     let size = motion.f[0].len();
@@ -153,8 +187,8 @@ fn force_error(
         shop.sum(&[(1, &transform(&slope_f), &transform(h)), (-1, &transform(f), &transform(&slope_h))]);
     let of_first = shop.settle(products, size, shop.bits()).norm(0, 1.0) + rounding;
 
+    let bits = i64::from(shop.bits());
     let folded = |slope: f64| {
-        let bits = i64::from(shop.bits());
         let norm = |series: &Fixed| series.rising_norm(bits, slope);
         let all = |rows: &[Fixed]| rows.iter().map(norm).sum::<Magnitude>();
         let sum = exact(power.max(1.0) * unit as f64) * all(&motion.f) * all(force.rows)
@@ -163,12 +197,42 @@ fn force_error(
         sum * power_of_two(bits + 1 - (slope * size as f64).floor() as i64)
     };
     let folded = [0.99, 0.97, 0.94, 0.9, 0.8].map(|share| folded(share * slope));
-    let folded = folded.into_iter().reduce(|x, y| if x < y { x } else { y }).ok_or(Unbounded::Large)?;
-    let defects = (of_rows + of_first + folded) * exact(1.0 / unit as f64);
-    let inverse = powers.power(-power - 1.0)?.norm();
-    let error = Magnitude::ONE + inverse * defects;
-    let error_of_folded = inverse * folded * exact(1.0 / unit as f64);
-    Ok((lower_power * powers.base() * error, lower_power * powers.base() * error_of_folded))
+    let folded = folded.into_iter().fold(Magnitude::exact(f64::INFINITY), |x, y| if x < y { x } else { y });
+    let forces: f64 = force.rows.iter().map(|row| row.norm(bits, 1.0).to_f64()).sum();
+    let rounding = (power.max(1.0) * unit as f64) * forces * (size * motion.f.len()) as f64;
+    let per_unit = exact(1.0 / unit as f64);
+    Defects {
+        power,
+        found: (of_rows + of_first) * per_unit,
+        folded: folded * per_unit,
+        rounding: rounding / unit as f64,
+    }
+}
+
+impl Defects {
+    /// How much larger what was folded over is than all else, or than rounding where too much is.
+    fn cut(&self) -> f64 {
+        let cut = |rest: f64| self.folded.to_f64() / rest.max(1.0);
+        if cut(self.found.to_f64()) > CUT { cut(self.rounding).max(cut(self.found.to_f64())) } else { 0.0 }
+    }
+
+    /// `||H - c F^p||` for the rows `H` found and the polynomial `F` found: `||F^p||` times
+    ///
+    /// ```text
+    /// |h - c| + ||F^(-p-1)|| (||r_0|| + sum_(n >= 1) ||r_n||/n)
+    /// ```
+    ///
+    /// The second bound is what was folded over in it.
+    fn force_error(
+        &self,
+        powers: &Powers,
+        lower_power: Magnitude,
+    ) -> Result<(Magnitude, Magnitude), Unbounded> {
+        let inverse = powers.power(-self.power - 1.0)?.norm();
+        let error = Magnitude::ONE + inverse * (self.found + self.folded);
+        let force = lower_power * powers.base();
+        Ok((force * error, force * inverse * self.folded))
+    }
 }
 
 /// `||D^(-1) r||` for the residual `r` of the equation of motion, exactly but for the last conversion:

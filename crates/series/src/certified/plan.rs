@@ -1,6 +1,6 @@
 //! Which precision and which units to try: nothing here is part of a proof.
 
-use super::attempt::{Expansion, Failure, Plan, Request, attempt, size_for_bits};
+use super::attempt::{Expansion, Failure, Plan, Request, attempt, norms_of_powers, size_for_bits};
 use super::units::log_singular_ratio;
 use crate::kernels::{LANES, block_for, groups_for, size_for};
 use num_rational::BigRational;
@@ -11,24 +11,31 @@ use restitution_real::Ball;
 /// Orders and bits of the first, cheap attempt that shows how many bits are lost.
 const SCOUT_ORDER: usize = 12;
 const SCOUT_BITS: u32 = 192;
-/// Bits of a second scout, for laws whose errors grow too much for the first.
-const MORE_SCOUT_BITS: u32 = 640;
+/// Bits of a scout, for laws whose errors grow much, and how many are added beyond those that were missing.
+const MOST_SCOUT_BITS: u32 = 1024;
+const SPARE_BITS: u32 = 32;
+/// Bits that may seem lost beyond all there are.
+const UNKNOWN: u32 = 64;
 /// Least damping order at which the proof of the turning point has all that it needs.
 const LEAST_ORDER: usize = 3;
 /// Units of the damping that are tried, each smaller by a factor: first in small steps, then in large ones.
-const UNITS: usize = 36;
-const SMALLER: [(usize, f64); 3] = [(8, 0.7), (20, 0.35), (UNITS, 0.1)];
-/// Relative bits of every value that a scout must prove.
-const LEAST_KNOWN: f64 = 8.0;
+const UNITS: usize = 20;
+const SMALLER: [(usize, f64); 2] = [(8, 0.7), (UNITS, 0.35)];
 /// Loss in bits from which on a smaller unit is tried too, and what it must save.
 const MUCH: f64 = 90.0;
 const WORTH_IT: f64 = 8.0;
-/// Terms beyond the bits over their fall, at first.
+/// A factor that makes a unit so small that orders in it can be derived, and the share of damped orders in a good one.
+const TINY: f64 = 1e-3;
+const TINIEST: i32 = 8;
+const SUITABLE: f64 = 0.2;
+/// Terms beyond the bits over their fall, at first; where they fall by fewer bits, terms that are worth so many.
 const MARGIN: usize = 8;
+const SLOW: f64 = 0.5;
+const MARGIN_BITS: f64 = 20.0;
 /// Bits that are lost more for twice as many terms.
 const ROUNDING: f64 = 3.4;
 /// Attempts with more terms at one precision.
-const CUTS: usize = 6;
+const CUTS: usize = 8;
 
 /// What an expansion is wanted for.
 pub(crate) struct Goal<'g> {
@@ -64,8 +71,7 @@ struct Scouted {
 pub(crate) fn expand(goal: &Goal, watch: &mut dyn FnMut(usize)) -> Result<Expansion, Unproved> {
     let damping = goal.damping.max(LEAST_ORDER);
     let request = Request { law: goal.law, damping, last: goal.last.max(damping) };
-    let scouted = [SCOUT_BITS, MORE_SCOUT_BITS].into_iter().find_map(|bits| scout(goal.law, damping, bits));
-    let scouted = scouted.ok_or(Unproved::Norms)?;
+    let scouted = scout(&request).ok_or(Unproved::Norms)?;
     let Scouted { lambda, step, mut margin, lost } = scouted;
     let mut plan = Plan { bits: 0, lambda, step, margin };
     // Rounding adds up over the terms.
@@ -90,6 +96,7 @@ pub(crate) fn expand(goal: &Goal, watch: &mut dyn FnMut(usize)) -> Result<Expans
                 margin = more(margin, terms, plan.bits, goal.law);
                 plan.margin = margin;
             }
+            Err(Failure::Bits(missing)) => spare += missing as usize + SPARE_BITS as usize,
             Err(_) if units < UNITS => {
                 plan.lambda *= step_of_unit(units);
                 units += 1;
@@ -116,31 +123,47 @@ pub(crate) fn memory_estimate(law: &ForceLaw, order: usize, digits: usize) -> f6
     8e6 + families * (40.0 + rows * order as f64) * points * primes * 8.0
 }
 
+/// Terms beyond the bits over their fall to begin with.
+fn least_margin(law: &ForceLaw) -> usize {
+    let slope = log_singular_ratio(law);
+    if slope < SLOW { (MARGIN_BITS / slope) as usize } else { MARGIN }
+}
+
 /// A margin with which at least so many more terms are taken: sizes grow by steps.
 fn more(margin: usize, terms: usize, bits: u32, law: &ForceLaw) -> usize {
     let size = |margin: usize| size_for_bits(law, bits, margin);
     (margin + terms..).find(|&next| size(next) > size(margin)).unwrap_or(margin)
 }
 
-/// Tries units of the damping from the natural one down, at low order and precision.
+/// Tries units of the damping at low order and precision from the natural one down.
 ///
-/// A unit that is proved but loses much is compared with the next one.
-fn scout(law: &ForceLaw, damping: usize, bits: u32) -> Option<Scouted> {
+/// A unit that is proved but loses much is compared with the next one; so it is not where damped orders had to be made
+/// small before anything was proved.
+fn scout(goal: &Request) -> Option<Scouted> {
+    let law = goal.law;
+    let slope = log_singular_ratio(law);
     // Some hundred thousand terms are out of reach.
-    if log_singular_ratio(law) < 1e-2 {
+    if slope < 1e-2 {
         return None;
     }
-    let order = damping.min(SCOUT_ORDER);
-    let request = Request { law, damping: order, last: order };
+    let order = goal.damping.min(SCOUT_ORDER);
+    let request = Request { law, damping: order, last: goal.last.min(order + 1) };
+    let mut margin = least_margin(law);
     let mut lambda = 1.15 / first_coefficient(law);
     let mut best: Option<Scouted> = None;
+    let (mut bits, mut compared) = (SCOUT_BITS, true);
     for unit in 0..UNITS {
-        let found = scout_unit(&request, damping, lambda, bits);
+        let found = scout_unit(&request, goal.damping, lambda, &mut bits, &mut margin);
         let better = |found: &Scouted| best.as_ref().is_none_or(|best| found.lost + WORTH_IT < best.lost);
         match found.filter(better) {
-            Some(found) if found.lost > MUCH => best = Some(found),
+            Some(found) if found.lost > MUCH && compared => best = Some(found),
             Some(found) => return Some(found),
             None if best.is_some() => break,
+            None if unit == 0 => {
+                let suitable = suitable_unit(&request, lambda, bits)?;
+                compared = suitable > lambda * step_of_unit(unit);
+                lambda = lambda.min(suitable / step_of_unit(unit));
+            }
             None => {}
         }
         lambda *= step_of_unit(unit);
@@ -149,25 +172,63 @@ fn scout(law: &ForceLaw, damping: usize, bits: u32) -> Option<Scouted> {
 }
 
 /// An attempt with one unit of the damping, with as many terms as it needs.
-fn scout_unit(request: &Request, damping: usize, lambda: f64, bits: u32) -> Option<Scouted> {
-    let mut plan = Plan { bits, lambda, step: 0.0, margin: MARGIN };
-    for _ in 0..CUTS {
+fn scout_unit(
+    request: &Request,
+    damping: usize,
+    lambda: f64,
+    bits: &mut u32,
+    margin: &mut usize,
+) -> Option<Scouted> {
+    for cut in 0..CUTS {
+        let plan = Plan { bits: *bits, lambda, step: 0.0, margin: *margin };
         match attempt(request, plan, &mut |_| ()) {
             Ok(expansion) => {
-                let now = lost(&expansion, request.last, bits);
-                let known = now + LEAST_KNOWN < f64::from(bits);
-                let lost = lost(&expansion, damping, bits);
-                return known.then_some(Scouted { lambda, step: expansion.step, margin: plan.margin, lost });
+                // Where nothing at all is known, what was lost can't be told.
+                let unknown = lost(&expansion, request.last, *bits) > f64::from(*bits + UNKNOWN);
+                if unknown && 2 * *bits <= MOST_SCOUT_BITS {
+                    *bits *= 2;
+                    continue;
+                }
+                let lost = lost(&expansion, damping, *bits).min(f64::from(2 * *bits));
+                return Some(Scouted { lambda, step: expansion.step, margin: plan.margin, lost });
             }
-            Err(Failure::Terms(terms)) => plan.margin = more(plan.margin, terms, bits, request.law),
-            Err(Failure::Norms) => break,
+            // Where rounding of large powers is folded over, the estimate is too low.
+            Err(Failure::Terms(terms)) => {
+                let terms = terms + cut * size_for_bits(request.law, *bits, *margin) / 2;
+                *margin = more(*margin, terms, *bits, request.law);
+            }
+            Err(Failure::Bits(missing)) if *bits + missing <= MOST_SCOUT_BITS => {
+                *bits += missing + SPARE_BITS;
+                *margin = least_margin(request.law);
+            }
+            Err(_) => break,
         }
     }
     None
 }
 
+/// A unit of the damping in which all damped orders of a power together are about as large as that without damping.
+///
+/// Rows of order `n` change by the `n`-th power of the unit.
+fn suitable_unit(request: &Request, lambda: f64, bits: u32) -> Option<f64> {
+    (1..=TINIEST).find_map(|step| {
+        let plan = Plan { bits, lambda: lambda * TINY.powi(step), step: 0.0, margin: MARGIN };
+        let norms = norms_of_powers(request, plan)?;
+        let damped = |factor: f64| {
+            let powers = std::iter::successors(Some(factor), |power| Some(power * factor));
+            norms[1..].iter().zip(powers).map(|(norm, power)| norm * power).sum::<f64>()
+        };
+        let (mut low, mut high) = (0.0f64, 40.0f64);
+        for _ in 0..40 {
+            let middle = (low + high) / 2.0;
+            if damped(middle.exp2()) <= SUITABLE * norms[0] { low = middle } else { high = middle }
+        }
+        Some(plan.lambda * low.exp2())
+    })
+}
+
 fn step_of_unit(unit: usize) -> f64 {
-    SMALLER.iter().find(|(below, _)| unit < *below).map_or(0.1, |(_, step)| *step)
+    SMALLER.iter().find(|(below, _)| unit < *below).map_or(1.0, |(_, step)| *step)
 }
 
 /// About how many relative bits are lost at an order, from what was lost at lower ones.

@@ -2,6 +2,7 @@
 
 use super::sketch::over_one_minus;
 use restitution_real::Magnitude;
+use std::ops::Range;
 
 /// One term of the problem: an error at place `b` causes others at `b + step + i`, larger by `sizes[i]` times
 /// what the two places allow.
@@ -22,19 +23,20 @@ pub(crate) struct Cause<'c> {
 /// don't rise, neither does `R`. Causes within one place, of a factor `s < 1`, enlarge all else by `1/(1-s)`.
 /// `None` if no such place is found among the first `most`.
 pub(crate) fn response(first: usize, causes: &[Cause], most: usize) -> Option<Magnitude> {
+    let sizes: Vec<Vec<(usize, Magnitude)>> = causes.iter().map(nonzero).collect();
     let total = |b: usize| {
-        let factor = |cause: &Cause| {
-            let weight = (cause.weight)(b, b + cause.step) * (1.0 + 1e-12);
-            Magnitude::exact(weight) * cause.sizes.iter().copied().sum::<Magnitude>()
+        let term = |cause: &Cause, (i, size): (usize, Magnitude)| {
+            Magnitude::exact((cause.weight)(b, b + cause.step + i) * (1.0 + 1e-12)) * size
         };
-        causes.iter().map(factor).sum::<Magnitude>()
+        let sum = |(cause, sizes): (&Cause, &Vec<(usize, Magnitude)>)| -> Magnitude {
+            sizes.iter().map(|&size| term(cause, size)).sum()
+        };
+        causes.iter().zip(&sizes).map(sum).sum::<Magnitude>()
     };
     let small = |b: usize| total(b).to_f64() <= 0.5;
-    let end = (first..most).step_by((most / 64).max(1)).find(|&b| small(b))?;
-    let end = (first..=end).find(|&b| small(b))?;
+    let end = first_place(first..most, small)?;
     let beyond = Magnitude::exact((1.0 / (1.0 - total(end).to_f64()).next_down()).next_up());
     let mut response = vec![beyond; end + 1];
-    let sizes: Vec<Vec<(usize, Magnitude)>> = causes.iter().map(nonzero).collect();
     for b in (first..end).rev() {
         let (mut sum, mut within) = (Magnitude::ONE, Magnitude::ZERO);
         for (cause, sizes) in causes.iter().zip(&sizes) {
@@ -51,6 +53,26 @@ pub(crate) fn response(first: usize, causes: &[Cause], most: usize) -> Option<Ma
         response[b] = sum * over_one_minus(within)?;
     }
     Some(response[first])
+}
+
+/// The first place from which on a condition holds, by doubling, then bisection.
+fn first_place(places: Range<usize>, holds: impl Fn(usize) -> bool) -> Option<usize> {
+    let Range { start: mut low, end } = places;
+    if low >= end || holds(low) {
+        return (low < end).then_some(low);
+    }
+    let mut high = (2 * low + 1).min(end);
+    while !holds(high) {
+        if high == end {
+            return None;
+        }
+        (low, high) = (high, (2 * high).min(end));
+    }
+    while high - low > 1 {
+        let middle = low + (high - low) / 2;
+        if holds(middle) { high = middle } else { low = middle }
+    }
+    Some(high)
 }
 
 fn nonzero(cause: &Cause) -> Vec<(usize, Magnitude)> {

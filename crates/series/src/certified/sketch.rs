@@ -29,24 +29,23 @@ pub(crate) enum Unbounded {
     Coarse,
     /// The norms are too large.
     Large,
+    /// The errors are too large for an estimate to first order, by so many bits.
+    Bits(u32),
 }
 
 /// The first bound that a sketch in more and more detail proves.
-pub(crate) fn in_detail<T>(bound: impl Fn(Detail) -> Result<T, Unbounded>) -> Option<T> {
-    for detail in DETAILS {
-        match bound(detail) {
-            Ok(bound) => return Some(bound),
-            Err(Unbounded::Coarse) => {}
-            Err(Unbounded::Large) => break,
-        }
-    }
-    None
+pub(crate) fn in_detail<T>(bound: impl Fn(Detail) -> Result<T, Unbounded>) -> Result<T, Unbounded> {
+    let mut bounds = DETAILS.into_iter().map(bound);
+    let found = bounds.find(|bound| !matches!(bound, Err(Unbounded::Coarse)));
+    found.unwrap_or(Err(Unbounded::Coarse))
 }
 
 /// Most coefficients of a sketch.
 const LARGEST: usize = 12000;
-/// Powers beyond are squares.
+/// Powers beyond may be squares.
 const LARGEST_POWER: f64 = 6.0;
+/// Share of a large power's norm that its error may be while more detail can be had.
+const PRECISE: f64 = 0.1;
 /// One rounding of a double.
 const UNIT: f64 = f64::EPSILON;
 
@@ -88,19 +87,28 @@ pub(crate) struct Powers {
 }
 
 impl Sketch {
-    /// Takes the leading coefficients of exact rows in units of `2^-bits`.
+    /// Takes the leading coefficients of exact rows in units of `2^-bits`: as many as count in these rows or, beside
+    /// its norm, in a power of them.
     ///
     /// [`Unbounded::Large`] if too many of them count.
-    pub fn new(exact: &[Fixed], bits: u32, grading: Grading, detail: Detail) -> Result<Self, Unbounded> {
+    pub fn new(
+        exact: &[Fixed],
+        power: &[Fixed],
+        bits: u32,
+        grading: Grading,
+        detail: Detail,
+    ) -> Result<Self, Unbounded> {
         let unit = i64::from(bits);
-        let sizes: Vec<Vec<f64>> =
-            exact.iter().map(|row| (0..row.len()).map(|j| row.size(j, unit).to_f64()).collect()).collect();
-        let width = sizes.iter().map(Vec::len).max().unwrap_or(0);
-        let row_norms: Vec<f64> = sizes.iter().map(|row| row.iter().sum()).collect();
-        let column = |j: usize| sizes.iter().filter_map(|row| row.get(j)).sum::<f64>();
-        let column_norms: Vec<f64> = (0..width).map(column).collect();
-        let kept = |norms: &[f64]| (counting(norms, detail.left_out) as f64 * detail.wider).ceil() as usize;
-        let (rows, columns) = (kept(&row_norms).min(exact.len()), kept(&column_norms));
+        let sizes = sizes(exact, unit);
+        let kept =
+            |norms: &[f64], left_out: f64| (counting(norms, left_out) as f64 * detail.wider).ceil() as usize;
+        let [mut rows, mut columns] = norms(&sizes).map(|norms| kept(&norms, detail.left_out));
+        if !power.is_empty() {
+            let [of_rows, of_columns] = norms(&self::sizes(power, unit));
+            let left_out = detail.left_out * of_rows.iter().sum::<f64>().max(1.0);
+            (rows, columns) = (rows.max(kept(&of_rows, left_out)), columns.max(kept(&of_columns, left_out)));
+        }
+        let rows = rows.min(exact.len());
         if rows * columns > LARGEST {
             return Err(Unbounded::Large);
         }
@@ -136,6 +144,11 @@ impl Sketch {
     /// An upper bound of the norm.
     pub fn norm(&self) -> Magnitude {
         norm(self.values.iter().copied()) + self.error
+    }
+
+    /// Whether little is missing beside what is known.
+    fn is_precise(&self) -> bool {
+        self.error.to_f64() < PRECISE * self.norm().to_f64()
     }
 
     /// Upper bounds of the norm by place, `place(n, j)`; what is missing counts at place 0.
@@ -261,11 +274,15 @@ impl Powers {
     /// With `Q` the power of the sketch and `X = Q/f^p = 1 + xi`, `D X = (f D Q - p Q D f)/(f Q) X`, so that
     /// `||xi|| <= x/(1-x)`, `x = ||f D Q - p Q D f|| ||1/f|| ||1/Q|| / least exponent`.
     pub fn power(&self, power: f64) -> Result<Sketch, Unbounded> {
-        // Large powers and their reciprocals have large norms, of which doubles see no small product.
-        if power.abs() > LARGEST_POWER {
-            return Ok(self.power(power / 2.0)?.squared());
+        let found = self.power_within(power);
+        if power.abs() <= LARGEST_POWER {
+            return found.ok_or(Unbounded::Coarse);
         }
-        self.power_within(power).ok_or(Unbounded::Coarse)
+        // Large powers and their reciprocals may have norms so large that doubles see no small product.
+        match found {
+            Some(found) if found.is_precise() => Ok(found),
+            _ => self.power(power / 2.0).map(|root| root.squared()),
+        }
     }
 
     fn power_within(&self, power: f64) -> Option<Sketch> {
@@ -290,6 +307,18 @@ impl Powers {
         found.error = found.norm() * xi * over_one_minus(xi)?;
         Some(found)
     }
+}
+
+/// Absolute values of the coefficients, nearly.
+fn sizes(rows: &[Fixed], unit: i64) -> Vec<Vec<f64>> {
+    rows.iter().map(|row| (0..row.len()).map(|j| row.size(j, unit).to_f64()).collect()).collect()
+}
+
+/// The norms of rows and of columns, nearly.
+fn norms(sizes: &[Vec<f64>]) -> [Vec<f64>; 2] {
+    let width = sizes.iter().map(Vec::len).max().unwrap_or(0);
+    let column = |j: usize| sizes.iter().filter_map(|row| row.get(j)).sum::<f64>();
+    [sizes.iter().map(|row| row.iter().sum()).collect(), (0..width).map(column).collect()]
 }
 
 /// `sum += factor series`, as far as the sum reaches.

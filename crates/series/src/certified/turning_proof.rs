@@ -33,7 +33,7 @@ pub(crate) fn bound(
     (position, velocity): (Magnitude, Magnitude),
     shift: &Fixed,
 ) -> Option<Magnitude> {
-    in_detail(|detail| bound_in(detail, shop, scale, turning, near, (position, velocity), shift))
+    in_detail(|detail| bound_in(detail, shop, scale, turning, near, (position, velocity), shift)).ok()
 }
 
 fn bound_in(
@@ -48,7 +48,7 @@ fn bound_in(
     let unit = scale.lattice.unit as f64;
     let [a, c] = scale.powers().map(|steps| steps as f64 / unit);
     let grading = Grading { row: 1.0, column: 1.0 };
-    let powers = Powers::new(Sketch::new(&near.rows, shop.bits(), grading, detail)?, grading)?;
+    let powers = Powers::new(Sketch::new(&near.rows, &[], shop.bits(), grading, detail)?, grading)?;
     let stiffness = powers.power(a - 1.0)?;
     let drag = if scale.shared { stiffness.clone() } else { powers.power(c - 1.0)? };
     let rows = near.rows.len() as f64;
