@@ -105,3 +105,40 @@ impl Decay {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// (5) and (7) of `docs/error-bounds.md` in double precision.
+    #[test]
+    fn bounds_are_those_of_the_theorem() {
+        for (r, v, g, h) in [(4.0f64, 0.25f64, 3.0, 5.0), (1.5, 8.0, 0.1, 0.0), (7.0, 0.0, 2.0, 0.0)] {
+            let decay = Decay::new(r, v, Magnitude::exact(g), Magnitude::exact(h));
+            assert_eq!(decay.ratio().to_bits(), r.to_bits());
+            assert!(decay.covers(0));
+            assert_eq!(decay.covers(1), v > 0.0);
+            for (n, j) in
+                [(0i32, 3i32), (0, 41), (2, 7), (5, 40)].into_iter().filter(|&(n, _)| n == 0 || v > 0.0)
+            {
+                let e = 2.5 * f64::from(j) + 1.25 * f64::from(n);
+                let weight = r.powi(-j) * if n == 0 { 1.0 } else { v.powi(-n) };
+                let exponent = Ball::from_f64(e, BITS);
+                let (n, j) = (usize::try_from(n).unwrap(), usize::try_from(j).unwrap());
+                let coefficient = (g / (e * (e + 1.0)) + h / (e + 1.0)) * weight;
+                closely_above(&decay.coefficient_up(n, j, &exponent), coefficient);
+                let rest = r / (r - 1.0);
+                let tail = |sum| decay.tail_up(sum, n, j, &exponent);
+                closely_above(&tail(TurningPointSum::Position), coefficient * rest);
+                closely_above(&tail(TurningPointSum::Velocity), (g / e + h) * weight * rest);
+                assert!((decay.rough_log(n, j, e) - coefficient.log2()).abs() < 1e-9);
+            }
+        }
+    }
+
+    /// The formula in double precision is off by some ulp; the bound is rounded up to the 32 bits of a radius.
+    fn closely_above(bound: &Float, formula: f64) {
+        let ratio = bound.to_f64() / formula;
+        assert!(ratio > 1.0 - 1e-13 && ratio < 1.0 + 1e-8, "{ratio}");
+    }
+}
