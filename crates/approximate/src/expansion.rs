@@ -165,7 +165,9 @@ impl Expansion {
         const DIGITS: usize = 5;
         let has_value = |u: &BigRational| match self.collision.epsilon(u, DIGITS) {
             Ok(_) => Ok(true),
-            Err(DirectError::Overdamped { .. } | DirectError::Vanishing { .. }) => Ok(false),
+            Err(
+                DirectError::Overdamped { .. } | DirectError::Vanishing { .. } | DirectError::Faint { .. },
+            ) => Ok(false),
             Err(error) => Err(ApproximateError::Value(error)),
         };
         if self.law.velocity_exponent().is_positive() || has_value(high)? {

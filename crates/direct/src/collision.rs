@@ -224,6 +224,27 @@ mod tests {
         assert!(dashpot.epsilon(&ratio(3, 2), 10).is_ok());
     }
 
+    /// Friction that grows against the force only at 10^-1284 of the size: between rest and a speed of that order.
+    #[test]
+    fn a_motion_near_rest_has_no_wrong_speed() {
+        let creeping = Collision::new(&"1001/1000,1/1000".parse().unwrap(), End::ZeroCompression).unwrap();
+        // At 2.1 epsilon is 1.33e-53, and it falls with u.
+        let most = 1.34e-53;
+        for (u, prec) in [
+            (ratio(87_696, 10_000), 64),
+            (ratio(87_696, 10_000), 84),
+            (ratio(5, 1), 100),
+            (ratio(21, 10), 200),
+        ] {
+            if let Ok(epsilon) = creeping.enclose(&Ball::from_rational(&u, prec), prec) {
+                assert!(
+                    !epsilon.is_finite() || epsilon.abs_down() <= most,
+                    "{u} at {prec} bits: {epsilon:?}"
+                );
+            }
+        }
+    }
+
     #[test]
     fn zero_force_needs_a_zero() {
         let law = "1,2".parse().unwrap();

@@ -35,9 +35,12 @@ fn impact(equation: &Equation) -> PhasePoint {
     if equation.coordinate.crosses_zero() {
         return PhasePoint { z: Float::new(equation.prec), v: one, energy: zero() };
     }
-    let z = near_zero(equation);
-    let ball = Ball::exact(z.clone());
     let c = &equation.coordinate;
+    // Of the velocity, 1, no more than a quarter may be lost by friction: Prop. 1 is about a P without zero.
+    let lost = (4.0 * ratio(&c.q)).log2() + logarithm(equation.u.mid()) / std::f64::consts::LN_2;
+    let quarter = two_to_the(-lost.max(0.0), equation.prec);
+    let z = near_zero(equation).min(&quarter);
+    let ball = Ball::exact(z.clone());
     let (q, front) = (equation.rational(&c.q), equation.rational(&c.q) * &equation.u);
     let fallen = q * ball.pow(&c.elastic) / equation.rational(&c.elastic) + front * ball;
     let v = Ball::one() - &fallen;

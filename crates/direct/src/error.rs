@@ -52,6 +52,22 @@ pub enum DirectError {
         /// The damping that was given, to a few digits.
         u: String,
     },
+    /// The steps that can be proved are too short to follow the motion: more precision does not lengthen them.
+    #[error(
+        "the motion was not followed to its end in {steps} steps: give a less extreme u, or end the contact at zero force"
+    )]
+    Stiff {
+        /// The steps that were taken.
+        steps: u32,
+    },
+    /// At no precision that was tried could the motion be told from one that comes to rest.
+    #[error(
+        "with {bits} bits the rebound could not be told from rest, the restitution coefficient is 0 or below some 10^-60: give a smaller u, or end the contact at zero force"
+    )]
+    Faint {
+        /// The working precision that was reached.
+        bits: u32,
+    },
     /// The force has no zero on the way out that this end of the contact could mean.
     #[error(
         "with the law {law} the force need not vanish on the way out: the end at zero force needs A > GAMMA"

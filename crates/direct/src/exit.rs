@@ -108,6 +108,10 @@ fn across_branch(equation: &Equation, point: &PhasePoint) -> Ball {
     for _ in 0..4 {
         exit = Ball::exact((&v + &damping + &elastic / &exit).mid().clone());
     }
+    // Prop. 1 is about a P without zero: beyond a positive speed the motion came to rest, or the precision is too low to tell.
+    if !exit.is_negative() {
+        return Ball::whole_line(equation.prec);
+    }
     let missed = (&exit - &damping - &elastic / &exit - &v).abs() * (v.abs() + Ball::one()).shifted(1);
     let fallen = &damping + (&elastic / &exit).abs();
     let defect = first_order_defect(equation, &point.z, &fallen) / exit.abs();

@@ -8,6 +8,10 @@ const GUARD_BITS: u32 = 44;
 /// The working precision at which the search for digits ends.
 const LARGEST_PRECISION: u32 = 1 << 18;
 
+/// Bits beyond the first ones after which a speed that no run tells from 0 is given up: the time grows like their cube, and
+/// what is that small is no rebound that anybody measures.
+const FAINT_BITS: u32 = 512;
+
 /// How often a step that cannot be proved is tried again at higher precision.
 const RETRIES: u32 = 4;
 
@@ -27,6 +31,9 @@ pub(crate) fn proved(
     while prec <= LARGEST_PRECISION {
         match enclose(prec) {
             Ok(ball) if ball.to_digits(digits).is_some() => return Ok(ball),
+            Ok(ball) if !ball.is_finite() && prec >= first.saturating_add(FAINT_BITS) => {
+                return Err(DirectError::Faint { bits: prec });
+            }
             Ok(_) => {}
             Err(DirectError::StepVanished { .. }) if vanished < RETRIES => vanished += 1,
             Err(error) => return Err(error),
@@ -34,4 +41,27 @@ pub(crate) fn proved(
         prec += prec / 2;
     }
     Err(RealError::PrecisionExhausted { digits, reached_bits: prec }.into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rug::ops::Pow;
+
+    #[test]
+    fn a_speed_that_no_precision_tells_from_rest_is_given_up() {
+        let mut tried = Vec::new();
+        let found = proved(10, 80, |prec| {
+            tried.push(prec);
+            Ok(Ball::whole_line(prec))
+        });
+        assert!(matches!(found, Err(DirectError::Faint { bits: 607 })), "{found:?}");
+        assert_eq!(tried, [80, 120, 180, 270, 405, 607]);
+        // What is known at last is given, and a finite enclosure is improved as before.
+        let late = |prec| if prec < 400 { Ball::whole_line(prec) } else { Ball::from_ratio(1, 3, prec) };
+        assert!(proved(10, 80, |prec| Ok(late(prec))).is_ok());
+        let slowly =
+            |prec: u32| Ball::from_ratio(1, 3, prec).widened(&rug::Float::with_val(32, 0.5).pow(prec / 32));
+        assert!(proved(10, 80, |prec| Ok(slowly(prec))).is_ok());
+    }
 }

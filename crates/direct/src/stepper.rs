@@ -2,7 +2,7 @@ use crate::error::DirectError;
 use rug::Float;
 
 /// Attempts that one collision may take before it is given up.
-const ATTEMPTS: u32 = 50_000;
+const ATTEMPTS: u32 = 20_000;
 /// Halvings of one step before it is given up.
 const HALVINGS: u32 = 200;
 
@@ -41,7 +41,7 @@ impl Stepper {
         for _ in 0..HALVINGS {
             self.attempts += 1;
             if self.attempts > ATTEMPTS {
-                break;
+                return Err(DirectError::Stiff { steps: ATTEMPTS });
             }
             let length = self.length.min(limit);
             if !length.is_normal() {
