@@ -101,12 +101,15 @@ fn the_inverse_is_within_its_bound() {
 
 #[test]
 fn every_breakpoint_and_its_neighbours() {
-    let beyond = (0..=256).map(|i| 8.0 + f64::from(i) / 32.0);
-    let compression = (0..=448).map(|i| f64::from(i) / 64.0).chain([1.0 / 32.0]).chain(beyond);
+    let pieces = |shift: f64, bits: i32, count: i32| {
+        let parts = 1 << bits;
+        let start = move |i: i32| (1.0 + f64::from(i % parts) / f64::from(parts)) * 2.0_f64.powi(i / parts);
+        (0..=count).map(move |i| (start(i) - 1.0) * shift)
+    };
+    let (saturated, ends) = ((0..=128).map(|i| 1024.0 + f64::from(i) * 8.0), [1.0 / 32.0, 1.0 / 16.0]);
+    let compression = pieces(1.0, 7, 10 * 128).chain(ends).chain(saturated);
     Worst::over(End::ZeroCompression, neighbours(compression)).check("ZeroCompression, breakpoints");
-    let force = (0..11 * 64).map(|i| (0.5 + f64::from(i % 64) / 128.0) * 2.0_f64.powi(i / 64) - 0.5);
-    let roots = (1..=16).map(|i| (f64::from(i) / 64.0).powi(2));
-    let force = force.chain([1.0 / 16.0, 1023.5]).chain(roots).filter(|u| *u >= 0.0);
+    let force = pieces(1.0 / 512.0, 6, 19 * 64).chain(ends);
     Worst::over(End::ZeroForce, neighbours(force)).check("ZeroForce, breakpoints");
     let beyond = (0..2 * 32).map(|i| (1.0 + f64::from(i % 32) / 32.0) * 2.0_f64.powi(i / 32 - 4) - 0.0625);
     let beyond = beyond.filter(|x| *x > 0.0 && *x < 0.0993).map(|x| x.powi(-3));

@@ -4,7 +4,7 @@
 
 use restitution::{End, tiers};
 use restitution_direct::DirectError;
-use restitution_export::proof::{Group, Proof, beyond, groups, tier_near_zero};
+use restitution_export::proof::{Group, Proof, groups, saturated, tier_near_zero};
 
 /// One tier: its name, its proof on an interval, and near 0.
 type TierProof = (&'static str, fn(&Group) -> Result<f64, DirectError>, f64);
@@ -54,7 +54,7 @@ fn main() -> Result<(), DirectError> {
         }
         println!("{end:?}, up to the end of the table: {whole:#?}");
     }
-    println!("ZeroCompression, beyond the table: {:#?}", beyond()?);
+    println!("ZeroCompression, from 8 on: {:#?}", saturated()?);
     for (name, _, worst) in tiers {
         println!("tier at {name}: {worst:.4e} relative");
     }

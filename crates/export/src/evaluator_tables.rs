@@ -1,17 +1,20 @@
 //! The tables of the crate `restitution`.
 
 use crate::InterpolatedCurve;
-use crate::centred::interpolate;
+use crate::centred::{interpolate, row};
 use crate::chebyshev::PREC;
 use crate::grid::Grid;
 use crate::near_zero::{loss_in_halves, loss_in_u};
 use rug::Float;
 use std::fmt::Write as _;
 
-/// Degree of the polynomials: their coefficients and a complement fill a cache line.
+/// Degree of the polynomials of the power law at zero force.
 const DEGREE: usize = 7;
 /// The first line of every generated table.
 pub(crate) const HEAD: &str = "// Written by `make tables`; compared by tests/it/tables_fresh.rs.\n";
+
+/// The last piece holds it: `u + shift` grows to 1024 there at both ends.
+const FAR: f64 = 1022.0;
 
 /// Functions of a number.
 type Function<'a> = &'a dyn Fn(&Float) -> Float;
@@ -24,56 +27,36 @@ struct Centred {
 }
 
 impl Centred {
-    fn fit(function: Function, grid: Grid, low: f64, high: f64) -> Self {
-        let first = grid.number(low);
-        let row = |number| interpolate(grid, number, DEGREE, function);
-        Self { grid, first, rows: (first..=grid.number(high)).map(row).collect() }
-    }
-
-    /// The grid whose piece 0 starts at `start`, as source.
-    fn place(&self, start: f64) -> String {
-        format!("Grid::new({:?}, {}, {start:?})", self.grid.shift, self.grid.bits)
+    /// The pieces from 0 to the one that holds `last`.
+    fn fit(function: Function, grid: Grid, last: f64) -> Self {
+        let first = grid.number(0.0);
+        let rows = (first..=grid.number(last)).map(|number| row(grid, number, function)).collect();
+        Self { grid, first, rows }
     }
 }
 
 /// Returns `tables/zero_compression.rs`.
 pub fn zero_compression_tables(reference: &InterpolatedCurve) -> String {
-    let (grid, near_end, far) = (Grid { shift: 8.0, bits: 9 }, 1.0 / 32.0, 7.0_f64);
-    let pieces = Centred::fit(&|u| reference.epsilon(u), grid, 0.0, far - 1.0 / 1024.0);
-    let outer =
-        Centred::fit(&|m| reference.power_law(m), Grid { shift: 0.0, bits: 8 }, 1.0, 2.0 - 1.0 / 1024.0);
-    let mut text = opening("Contact that ends at zero compression.", &pieces, near_end, 0.0, far);
+    let (grid, near_end) = (Grid { shift: 1.0, bits: 7 }, 1.0 / 32.0);
+    let pieces = Centred::fit(&|u| reference.epsilon(u), grid, FAR);
+    let mut text = opening("Contact that ends at zero compression.", &pieces, near_end);
     let near = loss_in_u(reference, 7, near_end);
     let _ = writeln!(text, "/// `R^5`, and what its rounding leaves.");
     let _ =
         writeln!(text, "#[rustfmt::skip]\npub(crate) const R5: [f64; 2] = {:?};", split(reference.factor()));
     let _ = writeln!(text, "/// `(1 - epsilon)/u` on `[0, NEAR_END)`.");
     let _ = writeln!(text, "#[rustfmt::skip]\npub(crate) const NEAR: [f64; {}] = {near:?};", near.len());
-    let _ = writeln!(
-        text,
-        "/// So many pieces lie in `u`; then follow those of `R^5/m^5` in the significand `m`."
-    );
-    let _ = writeln!(text, "pub(crate) const INNER: usize = {};", pieces.rows.len());
-    let _ = writeln!(
-        text,
-        "/// Where the latter lie.\npub(crate) const OUTER_GRID: Grid = {};",
-        outer.place(1.0)
-    );
-    let complement = |u: &Float| reference.one_minus_epsilon(u).to_f64();
-    text.push_str(&piece_table(&[(&pieces, &complement), (&outer, &|_| 0.0)]));
+    text.push_str(&piece_table(&pieces, reference));
     text
 }
 
 /// Returns `tables/zero_force.rs`.
 pub fn zero_force_tables(reference: &InterpolatedCurve) -> String {
-    let (grid, near_end, far) = (Grid { shift: 0.5, bits: 6 }, 1.0 / 16.0, 1023.5_f64);
-    let pieces = Centred::fit(&|u| reference.epsilon(u), grid, near_end, far - 1.0 / 1024.0);
-    let by_root = |root: &Float| reference.epsilon(&root.clone().square());
-    // One piece more: the root of what lies just below is rounded to that of the end.
-    let near = Centred::fit(&by_root, Grid { shift: 1.0, bits: 6 }, 0.0, near_end.sqrt());
-    let mut text = opening("Contact that ends at zero force.", &pieces, near_end, near_end, far);
+    let (grid, near_end) = (Grid { shift: 1.0 / 512.0, bits: 6 }, 1.0 / 16.0);
+    let pieces = Centred::fit(&|u| reference.epsilon(u), grid, FAR);
+    let mut text = opening("Contact that ends at zero force.", &pieces, near_end);
     let (a, b) = loss_in_halves(reference, 9, 6, near_end);
-    let beyond = departure_rows(reference, far);
+    let beyond = departure_rows(reference, FAR);
     let _ = writeln!(text, "/// `(3/2)^(2/3)`, and what its rounding leaves.");
     let _ = writeln!(
         text,
@@ -84,13 +67,7 @@ pub fn zero_force_tables(reference: &InterpolatedCurve) -> String {
     let _ = writeln!(text, "#[rustfmt::skip]\npub(crate) const NEAR_WHOLES: [f64; {}] = {a:?};", a.len());
     let _ = writeln!(text, "/// The same: the powers of `u` that follow `u^(3/2)`.");
     let _ = writeln!(text, "#[rustfmt::skip]\npub(crate) const NEAR_HALVES: [f64; {}] = {b:?};", b.len());
-    let _ =
-        writeln!(text, "/// So many pieces lie in `sqrt(u)`, below `NEAR_END`; then follow those in `u`.");
-    let _ = writeln!(text, "pub(crate) const ROOT_PIECES: usize = {};", near.rows.len());
-    let _ =
-        writeln!(text, "/// Where the former lie.\npub(crate) const ROOT_GRID: Grid = {};", near.place(0.0));
-    let complement = |u: &Float| reference.one_minus_epsilon(u).to_f64();
-    text.push_str(&piece_table(&[(&near, &|_| 0.0), (&pieces, &complement)]));
+    text.push_str(&piece_table(&pieces, reference));
     let _ = writeln!(text, "/// `epsilon u^(5/3)/LIMIT - 1` in pieces of `u^(-1/3)`.");
     let _ = writeln!(text, "#[rustfmt::skip]\npub(crate) static BEYOND: [[f64; 8]; {}] = [", beyond.len());
     for row in beyond {
@@ -101,32 +78,28 @@ pub fn zero_force_tables(reference: &InterpolatedCurve) -> String {
 }
 
 /// The head of a table, its grid and its limits.
-fn opening(title: &str, pieces: &Centred, near_end: f64, start: f64, far: f64) -> String {
+fn opening(title: &str, pieces: &Centred, near_end: f64) -> String {
+    let Grid { shift, bits } = pieces.grid;
     format!(
-        "//! {title}\n{HEAD}\nuse crate::evaluator::pieces::{{Grid, Piece, piece}};\n\n\
+        "//! {title}\n{HEAD}\nuse crate::evaluator::pieces::{{Grid, ROWS, Rows, piece}};\n\n\
          /// Below, `1 - epsilon` has a form of its own.\npub(crate) const NEAR_END: f64 = {near_end:?};\n\
-         /// From here on the power law takes over.\npub(crate) const FAR: f64 = {far:?};\n\
-         /// Where the pieces in `u` lie.\npub(crate) const GRID: Grid = {};\n",
-        pieces.place(start)
+         /// Where the pieces lie.\npub(crate) const GRID: Grid = Grid::new({shift:?}, {bits}, 0.0);\n\
+         /// How many they are.\npub(crate) const COUNT: usize = {};\n",
+        pieces.rows.len()
     )
 }
 
-/// Pieces of one grid, with the complement of each centre.
-type Part<'a> = (&'a Centred, &'a dyn Fn(&Float) -> f64);
-
-/// The pieces of several grids.
-fn piece_table(parts: &[Part]) -> String {
-    let count: usize = parts.iter().map(|(pieces, _)| pieces.rows.len()).sum();
-    let mut text = format!(
-        "/// The pieces; docs/evaluator.md says what is proved of them.\n#[rustfmt::skip]\npub(crate) static PIECES: [Piece; {count}] = [\n",
+/// The pieces, with the complement of each centre.
+fn piece_table(pieces: &Centred, reference: &InterpolatedCurve) -> String {
+    let mut text = String::from(
+        "/// The pieces; docs/evaluator.md says what is proved of them.\n#[rustfmt::skip]\npub(crate) static TABLE: Rows<ROWS> = Rows::of(&[\n",
     );
-    for (pieces, complement) in parts {
-        for (i, row) in pieces.rows.iter().enumerate() {
-            let centre = Float::with_val(PREC, pieces.grid.centre(pieces.first + i as u64));
-            let _ = writeln!(text, "    piece({row:?}, {:?}),", complement(&centre));
-        }
+    for (i, row) in pieces.rows.iter().enumerate() {
+        let centre = Float::with_val(PREC, pieces.grid.centre(pieces.first + i as u64));
+        let complement = reference.one_minus_epsilon(&centre).to_f64();
+        let _ = writeln!(text, "    piece({row:?}, {complement:?}),");
     }
-    text + "];\n"
+    text + "]);\n"
 }
 
 /// The departure from the power law in `u^(-1/3)`, up to that of `far`.

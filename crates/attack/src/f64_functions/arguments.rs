@@ -4,7 +4,7 @@ use crate::random::{Source, bits, by_ratio, choose, near};
 use rand::{Rng, RngExt};
 
 /// Corners of the format, and numbers at which a formula may change.
-pub const SPECIAL: [u64; 34] = [
+pub const SPECIAL: [u64; 35] = [
     0,                     // 0
     0x8000_0000_0000_0000, // -0
     1,                     // the smallest subnormal
@@ -32,7 +32,8 @@ pub const SPECIAL: [u64; 34] = [
     0x401c_0000_0000_0000, // 7
     0x401f_4000_0000_0000, // 7.8125
     0x4020_0000_0000_0000, // 8
-    0x408f_fc00_0000_0000, // 1023.5
+    0x408f_f800_0000_0000, // 1023
+    0x408f_fff0_0000_0000, // 1023.998
     0x4090_0000_0000_0000, // 1024
     0x4950_0000_0000_0000, // 2^150
     0x52b0_0000_0000_0000, // 2^300
@@ -42,7 +43,7 @@ pub const SPECIAL: [u64; 34] = [
 ];
 
 /// What grids of pieces add to their argument, of those that are in use or may be.
-const SHIFTS: [f64; 10] = [0.0, 1.0 / 16.0, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0];
+const SHIFTS: [f64; 11] = [0.0, 1.0 / 512.0, 1.0 / 16.0, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0];
 
 /// Returns `count` arguments, many kinds side by side, as batches meet them least gladly.
 pub fn mixture(random: &mut Source, count: usize) -> Vec<f64> {

@@ -23,6 +23,11 @@ const SMALLER: i32 = 8;
 /// `log2` of the `u` below which the first term is enough (docs/evaluator.md, the lemma).
 pub(super) const LEAST: i32 = 60;
 
+/// By so much, relatively, pieces reach beyond their group.
+const MARGIN: f64 = 1e-13;
+/// From here on the pieces at zero compression are compared with the power law.
+pub(super) const SATURATED: f64 = 8.0;
+
 /// Forms that one interpolant judges.
 #[derive(Clone, Debug)]
 pub struct Group {
@@ -35,10 +40,13 @@ pub struct Group {
     known: OnceLock<Interpolant>,
 }
 
-/// Everything there is to prove at one end of contact, from the smallest `u` to the end of the table.
+/// Everything there is to prove at one end of contact, from the smallest `u` to the end of the table; at zero compression to 8,
+/// where [`saturated`](super::saturated) goes on.
 pub fn groups(end: End) -> Vec<Group> {
     let mut groups = near_groups(end);
-    let pieces: Vec<Form> = table(end).collect();
+    let pieces: Vec<Form> = table(end)
+        .filter(|form| form.high > near_end(end) && (end == End::ZeroForce || form.low < SATURATED))
+        .collect();
     let mut rest = &pieces[..];
     while let Some(first) = rest.first() {
         let wide = match end {
@@ -49,7 +57,7 @@ pub fn groups(end: End) -> Vec<Group> {
         let (own, others) = rest.split_at(count);
         groups.push(Group {
             end,
-            low: own[0].low,
+            low: own[0].low.max(near_end(end)),
             high: own[count - 1].high,
             pieces: own.to_vec(),
             known: OnceLock::new(),
@@ -105,7 +113,8 @@ impl Group {
         if self.pieces.is_empty() {
             return Ok(near(interpolant, self.low, self.high, self.end));
         }
-        let proofs = self.pieces.iter().map(|form| piece(interpolant, form, self.end));
+        let (low, high) = (self.low * (1.0 - MARGIN), self.high * (1.0 + MARGIN));
+        let proofs = self.pieces.iter().map(|form| piece(interpolant, form, low, high, self.end));
         Ok(proofs.fold(Proof::NONE, Proof::and))
     }
 

@@ -9,6 +9,7 @@ mod polynomial;
 mod rounded;
 mod tiers;
 
+use cover::SATURATED;
 use polynomial::{PREC, Polynomial};
 use restitution::End;
 use restitution::forms::{self, Form, Number};
@@ -124,27 +125,28 @@ impl Span {
     }
 }
 
-/// Proves a piece of the table.
-fn piece(interpolant: &Interpolant, form: &Form, end: End) -> Proof {
-    let margin = (form.high + 8.0) * f64::EPSILON; // the place of u is found by a rounded sum with 8 or 1/2
-    let (low, high) = ((form.low - margin).max(0.0), form.high + margin);
+/// What a place can be off by: it is found by a rounded sum with 1 or less.
+fn margin(form: &Form) -> f64 {
+    (form.high + 8.0) * f64::EPSILON
+}
+
+/// Proves a piece of the table, as far as it lies between `low` and `high`.
+fn piece(interpolant: &Interpolant, form: &Form, low: f64, high: f64, end: End) -> Proof {
+    let (low, high) = ((form.low - margin(form)).max(low), (form.high + margin(form)).min(high));
     let span = Span::new(interpolant, low, high);
     let t = span.u.plus(&span.u.of(-form.centre));
     let (constant, missed) = span.missed(&form.epsilon(t.clone()));
     let missed_by_loss = span.missed_by_loss(&form.one_minus_epsilon(t));
+    let exact = form.low >= form.centre / 2.0; // Sterbenz
+    let error = |t: f64| if exact { 0.0 } else { half_unit(t) };
     let mut proof = Proof::NONE;
-    for part in 0..PARTS {
-        let at = |part: u32| low + (high - low) * (f64::from(part) / f64::from(PARTS));
-        let (from, to) = (at(part).next_down() - form.centre, at(part + 1).next_up() - form.centre);
-        let exact = form.low >= form.centre / 2.0; // Sterbenz
-        let error = if exact { 0.0 } else { half_unit(from.abs().max(to.abs())) };
-        let t = Rounded::new(from.next_down(), to.next_up(), error);
+    for (at, t) in parts(low, high, form.centre, error) {
         let kept: Rounded = form.epsilon(t);
-        proof.epsilon = proof.epsilon.or(kept.units(missed), at(part));
-        proof.approximation = proof.approximation.or((missed - constant) / kept.low, at(part));
-        if at(part + 1) >= forms::near_end(end) {
+        proof.epsilon = proof.epsilon.or(kept.units(missed), at);
+        proof.approximation = proof.approximation.or((missed - constant) / kept.low, at);
+        if form.centre + t.high >= forms::near_end(end) {
             let lost: Rounded = form.one_minus_epsilon(t);
-            proof.one_minus_epsilon = proof.one_minus_epsilon.or(lost.units(missed_by_loss), at(part));
+            proof.one_minus_epsilon = proof.one_minus_epsilon.or(lost.units(missed_by_loss), at);
         }
     }
     proof
@@ -164,57 +166,38 @@ fn parts(
     })
 }
 
-/// Proves `epsilon` near 0 at zero force: the pieces in the square root of `u`.
-fn by_root(interpolant: &Interpolant, low: f64, high: f64) -> Proof {
-    let (from, to) = (low.sqrt().next_down(), high.sqrt().next_up());
-    let mut proof = Proof::NONE;
-    if forms::table_of_roots().all(|form| form.high <= to) {
-        proof.epsilon.bound = f64::INFINITY; // a root is rounded beyond the table
-    }
-    for form in forms::table_of_roots().filter(|form| form.low < to && from < form.high) {
-        let margin = f64::EPSILON; // of the sum of the root with 1
-        let (first, last) = ((form.low - margin).max(from), (form.high + margin).min(to));
-        let span = Span::new(interpolant, (first * first).next_down(), (last * last).next_up());
-        let Some(root) = &span.root else { continue };
-        let t = root.plus(&root.of(-form.centre));
-        let (constant, missed) = span.missed(&form.epsilon(t));
-        let of_root = 2.0 * half_unit(last);
-        for (at, t) in parts(first, last, form.centre, |t| of_root + half_unit(t)) {
-            let kept: Rounded = form.epsilon(t);
-            proof.epsilon = proof.epsilon.or(kept.units(missed), at * at);
-            proof.approximation = proof.approximation.or((missed - constant) / kept.low, at * at);
-        }
-    }
-    proof
-}
-
-/// Proves `epsilon` at zero compression from the end of the table on.
+/// Proves the pieces at zero compression from `u = 8` on, and what lies beyond the table with them.
 ///
 /// `epsilon u^5` grows to `R^5` (docs/direct-integration.md, section 7), so that its value at one `u` bounds it for all larger
-/// ones. In the significand `m` of `u` the pieces differ from `R^5/m^5` by `(form(m) m^5 - R^5)/m^5`; a power of two does the rest.
+/// ones. The pieces differ from `R^5/u^5` by `(form(u) u^5 - R^5)/u^5`. Beyond the table a power of two does the rest.
 ///
 /// # Errors
 ///
 /// A [`DirectError`] if the integrator cannot prove the two values.
-pub fn beyond() -> Result<Proof, DirectError> {
+pub fn saturated() -> Result<Proof, DirectError> {
     let exit_speed = saturation_speed(&ForceLaw::viscoelastic_spheres(), DIGITS)?;
-    let end = forms::table(End::ZeroCompression).last().map_or(0.0, |form| form.high);
-    let u = Ball::from_f64(end * (1.0 - f64::from(f32::EPSILON)), PREC); // the table may end a rounding before
+    let from = SATURATED * (1.0 - f64::from(f32::EPSILON)); // a piece may start a rounding before
+    let u = Ball::from_f64(from, PREC);
     let reached = collision(End::ZeroCompression)?.enclose(&u, PREC)? * u.powi(5);
     let departure = (Ball::from_integer(1, PREC) - reached / &exit_speed).upper().to_f64();
     let mut proof = Proof::NONE;
     let limit = exit_speed.upper().to_f64_round(rug::float::Round::Up);
-    for form in forms::table_beyond() {
+    for form in forms::table(End::ZeroCompression).filter(|form| form.low >= SATURATED) {
         let exact = |x: f64| Float::with_val(PREC, x);
-        let (middle, half) = (exact(form.centre), exact((form.high - form.low) / 2.0));
-        let m = Polynomial::line(&middle, &half);
-        let power = m.clone() * m.clone() * m.clone() * m.clone() * m.clone();
-        let ours: Polynomial = form.epsilon(m.plus(&m.of(-form.centre)));
+        let margin = form.high * f64::EPSILON;
+        let (low, high) = (form.low - margin, form.high + margin);
+        let middle = Float::with_val(PREC, exact(low) + high) / 2u32;
+        let half = Float::with_val(PREC, exact(high) - low) / 2u32;
+        let u = Polynomial::line(&middle, &half);
+        let power = u.clone() * u.clone() * u.clone() * u.clone() * u.clone();
+        let t = u.plus(&u.of(-form.centre));
+        let ours: Polynomial = form.epsilon(t.clone());
         let (constant, all) = (ours * power).plus(&Polynomial::ball(-&exit_speed)).size();
-        let missed = (all + limit * departure) / form.low.powi(5);
-        for (at, t) in parts(form.low, form.high, form.centre, |_| 0.0) {
-            let kept: Rounded = form.epsilon(t);
+        for (at, t) in parts(low, high, form.centre, |_| 0.0) {
+            let missed = (all + limit * departure) / at.powi(5) * (1.0 + 1e-14);
+            let (kept, lost): (Rounded, Rounded) = (form.epsilon(t), form.one_minus_epsilon(t));
             proof.epsilon = proof.epsilon.or(kept.units(missed), at);
+            proof.one_minus_epsilon = proof.one_minus_epsilon.or(lost.units(missed), at);
             proof.approximation = proof.approximation.or((all - constant) / limit, at);
         }
     }
@@ -235,7 +218,8 @@ fn near(interpolant: &Interpolant, low: f64, high: f64, end: End) -> Proof {
         let lost: Rounded = forms::near(root, Rounded::new(from, to, 0.0), end);
         proof.one_minus_epsilon = proof.one_minus_epsilon.or(lost.units(missed), at(part));
     }
-    if end == End::ZeroForce { proof.and(by_root(interpolant, low, high)) } else { proof }
+    let own = forms::table(end).filter(|form| form.low < high && low < form.high + margin(form));
+    own.fold(proof, |proof, form| proof.and(piece(interpolant, &form, low, high, end)))
 }
 
 fn collision(end: End) -> Result<Collision, DirectError> {

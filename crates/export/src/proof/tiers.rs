@@ -7,6 +7,9 @@ use restitution::forms::Number;
 use restitution::tiers::Tier;
 use restitution_direct::DirectError;
 
+/// Intervals of a row, each with its own polynomial: the sum that bounds its difference is close to the largest only on a narrow one.
+const SPANS: u32 = 16;
+
 impl Group {
     /// Proves a tier in this interval: the largest error relative to `epsilon`; 0 if the tier has no row here.
     ///
@@ -23,6 +26,10 @@ impl Group {
                 (row, low.max(self.low()), high.min(self.high()).min(tier.far()))
             })
             .filter(|(_, low, high)| low < high)
+            .flat_map(|(row, low, high)| {
+                let at = move |part: u32| low + (high - low) * (f64::from(part) / f64::from(SPANS));
+                (0..SPANS).map(move |part| (row, at(part), at(part + 1)))
+            })
             .collect();
         if tier.end() != self.end() || own.is_empty() {
             return Ok(0.0);

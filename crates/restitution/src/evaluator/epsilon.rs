@@ -13,13 +13,13 @@ use super::zero_force::ZeroForce;
 /// (\[RPBS1999\], eqs. 5 and 6.) Defined for every f64: 1 at `u = 0` and -0, 0 at infinity (subnormal, then 0,
 /// on the way), NaN for NaN and below zero.
 ///
-/// Cost: a look-up of one cache line and a polynomial of degree 7, no division; a square root below `u = 1/16` at zero force, where
-/// from `u = 1023.5` on a power of `u` takes over with its rounding carried along.
+/// Cost: a look-up of one cache line and a polynomial of degree 7, no division; at zero force a power of `u` takes over from
+/// `u = 1023.99` on, with its rounding carried along.
 ///
 /// # Error bound
 ///
 /// [`bounds::EPSILON`](crate::bounds::EPSILON): at most 2 ulp (proved) where the result is normal; at zero
-/// force from `u = 1023.5` on the same is measured. The proof is in `docs/evaluator.md`. Rounding makes `epsilon` rise between neighbouring arguments here and
+/// force from `u = 1023.99` on the same is measured. The proof is in `docs/evaluator.md`. Rounding makes `epsilon` rise between neighbouring arguments here and
 /// there, by [`bounds::STEP_UP`](crate::bounds::STEP_UP).
 ///
 /// # Examples

@@ -6,9 +6,11 @@
 
 pub use super::rounding::Number;
 
+use super::curve::Curve;
 use super::end::End;
-use super::pieces::{Grid, Piece};
-use super::tables::{zero_compression as compression, zero_force as force};
+use super::pieces::{LENGTH, Piece, WORDS, piece};
+use super::zero_compression::ZeroCompression;
+use super::zero_force::ZeroForce;
 use super::{zero_compression, zero_force};
 
 /// A polynomial of the table: `epsilon` for `low <= u < high`, from `t = u - centre`.
@@ -48,41 +50,35 @@ impl Form {
 /// ```
 /// use restitution::{End, epsilon, forms};
 ///
-/// let form = forms::table(End::ZeroCompression).nth(64).unwrap();
+/// let form = forms::table(End::ZeroCompression).nth(128).unwrap();
 /// assert_eq!((form.low, form.high, form.centre), (1.0, 1.0 + 1.0 / 64.0, 1.0 + 1.0 / 128.0));
 /// assert_eq!(form.epsilon(0.0), epsilon(form.centre, End::ZeroCompression));
 /// ```
 pub fn table(end: End) -> impl Iterator<Item = Form> {
-    match end {
-        End::ZeroCompression => forms(&compression::GRID, &compression::PIECES[..compression::INNER]),
-        End::ZeroForce => forms(&force::GRID, &force::PIECES[force::ROOT_PIECES..]),
-    }
+    let (form, count): (fn(usize) -> Form, usize) = match end {
+        End::ZeroCompression => (form::<ZeroCompression>, ZeroCompression::COUNT),
+        End::ZeroForce => (form::<ZeroForce>, ZeroForce::COUNT),
+    };
+    (0..count).map(form)
 }
 
-/// The table of small `u` at zero force, in the square root of `u`.
-pub fn table_of_roots() -> impl Iterator<Item = Form> {
-    forms(&force::ROOT_GRID, &force::PIECES[..force::ROOT_PIECES])
+fn form<C: Curve>(index: usize) -> Form {
+    let (low, high, centre) = (C::GRID.start(index), C::GRID.start(index + 1), C::GRID.centre(index));
+    Form { piece: C::TABLE.row(index as u64 * WORDS), low, high, centre }
 }
 
-/// The table of `R^5/m^5`, `1 <= m < 2`, which serves large `u = 2^k m` at zero compression: `epsilon` is `2^(-5k)` times that.
-pub fn table_beyond() -> impl Iterator<Item = Form> {
-    forms(&compression::OUTER_GRID, &compression::PIECES[compression::INNER..])
+/// The coefficients that a row of the table keeps of these: `c_4` to `c_7` share words.
+#[must_use]
+pub fn packed(c: [f64; LENGTH]) -> [f64; LENGTH] {
+    piece(c, 0.0).all()
 }
 
-fn forms(grid: &'static Grid, pieces: &'static [Piece]) -> impl Iterator<Item = Form> {
-    pieces.iter().enumerate().map(|(index, piece)| {
-        let (low, high) = (grid.start(index), grid.start(index + 1));
-        Form { piece: *piece, low, high, centre: grid.centre(index) }
-    })
-}
-
-/// Below, [`one_minus_epsilon`](crate::one_minus_epsilon) is [`near`]; at zero force [`epsilon`](crate::epsilon)
-/// is [`table_of_roots`].
+/// Below, [`one_minus_epsilon`](crate::one_minus_epsilon) is [`near`].
 #[must_use]
 pub fn near_end(end: End) -> f64 {
     match end {
-        End::ZeroCompression => compression::NEAR_END,
-        End::ZeroForce => force::NEAR_END,
+        End::ZeroCompression => ZeroCompression::NEAR_END,
+        End::ZeroForce => ZeroForce::NEAR_END,
     }
 }
 

@@ -2,8 +2,9 @@ use super::curve::Curve;
 use super::end::End;
 use super::epsilon::epsilon;
 use super::fifth_root::fifth_root;
-use super::pieces::{Grid, Piece};
-use super::tables::{zero_compression as compression, zero_force as force};
+use super::pieces::WORDS;
+use super::tables::zero_compression::{NEAR, R5};
+use super::tables::zero_force::LIMIT;
 use super::zero_compression::ZeroCompression;
 use super::zero_force::ZeroForce;
 
@@ -65,26 +66,25 @@ fn solve(epsilon: f64, lost: f64, end: End) -> f64 {
         return f64::INFINITY;
     }
     match end {
-        End::ZeroCompression if lost < ZeroCompression::near(compression::NEAR_END) => {
-            near_zero(lost, ZeroCompression::near)
-        }
-        End::ZeroForce if lost < ZeroForce::near(force::NEAR_END) => near_zero(lost, ZeroForce::near),
-        End::ZeroCompression if epsilon >= crate::epsilon(compression::FAR, end) => {
-            in_table(&compression::PIECES[..compression::INNER], &compression::GRID, epsilon, lost)
-        }
-        End::ZeroForce if epsilon >= crate::epsilon(force::FAR, end) => {
-            in_table(&force::PIECES[force::ROOT_PIECES..], &force::GRID, epsilon, lost)
-        }
-        End::ZeroCompression => saturated(epsilon),
-        End::ZeroForce => overdamped(epsilon),
+        End::ZeroCompression => on::<ZeroCompression>(epsilon, lost).unwrap_or_else(|| saturated(epsilon)),
+        End::ZeroForce => on::<ZeroForce>(epsilon, lost).unwrap_or_else(|| overdamped(epsilon)),
+    }
+}
+
+/// Where the form near 0 or the table of a curve serves.
+fn on<C: Curve>(epsilon: f64, lost: f64) -> Option<f64> {
+    if lost < C::near(C::NEAR_END) {
+        Some(near_zero::<C>(lost))
+    } else {
+        (epsilon >= C::epsilon(C::END.next_down())).then(|| in_table::<C>(epsilon, lost))
     }
 }
 
 /// Solves `1 - epsilon(u) = lost` by Newton's iteration with the slope at 0.
-fn near_zero(lost: f64, loss: impl Fn(f64) -> f64) -> f64 {
-    let mut u = lost / compression::NEAR[0];
+fn near_zero<C: Curve>(lost: f64) -> f64 {
+    let mut u = lost / NEAR[0];
     for _ in 0..STEPS {
-        let step = (lost - loss(u)) / compression::NEAR[0];
+        let step = (lost - C::near(u)) / NEAR[0];
         u += step;
         if step.abs() <= u * f64::EPSILON / 4.0 {
             break;
@@ -94,12 +94,16 @@ fn near_zero(lost: f64, loss: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// Finds the piece by halving, as `epsilon` falls, then solves `c_0 + t slope(t) = epsilon`.
-fn in_table(pieces: &[Piece], grid: &Grid, epsilon: f64, lost: f64) -> f64 {
-    let value = |index: usize| pieces[index].constant();
-    let below = pieces.partition_point(|piece| piece.constant() > epsilon).clamp(1, pieces.len() - 1);
-    let nearer_above = value(below - 1) - epsilon < epsilon - value(below);
-    let index = if nearer_above { below - 1 } else { below };
-    let piece = &pieces[index];
+fn in_table<C: Curve>(epsilon: f64, lost: f64) -> f64 {
+    let piece = |index: usize| C::TABLE.row(index as u64 * WORDS);
+    let (mut above, mut below) = (0, C::COUNT - 1);
+    while below - above > 1 {
+        let middle = usize::midpoint(above, below);
+        if piece(middle).constant() > epsilon { above = middle } else { below = middle }
+    }
+    let nearer_above = piece(above).constant() - epsilon < epsilon - piece(below).constant();
+    let index = if nearer_above { above } else { below };
+    let piece = piece(index);
     let wanted = if epsilon > 0.5 { piece.complement() - lost } else { epsilon - piece.constant() };
     let mut t = wanted / piece.slope(0.0);
     for _ in 0..STEPS {
@@ -110,14 +114,14 @@ fn in_table(pieces: &[Piece], grid: &Grid, epsilon: f64, lost: f64) -> f64 {
             break;
         }
     }
-    grid.centre(index) + t
+    C::GRID.centre(index) + t
 }
 
 /// `u = (R^5/epsilon)^(1/5)`, and by the ratio that is still missing.
 fn saturated(wanted: f64) -> f64 {
     const TWO_TO_200: f64 = f64::from_bits((1023 + 200) << 52);
     const TWO_TO_40: f64 = f64::from_bits((1023 + 40) << 52);
-    let u = fifth_root(compression::R5[0] / (wanted * TWO_TO_200)) * TWO_TO_40;
+    let u = fifth_root(R5[0] / (wanted * TWO_TO_200)) * TWO_TO_40;
     if wanted < f64::MIN_POSITIVE {
         return u;
     }
@@ -128,7 +132,7 @@ fn saturated(wanted: f64) -> f64 {
 fn overdamped(wanted: f64) -> f64 {
     const TWO_TO_500: f64 = f64::from_bits((1023 + 500) << 52);
     const TWO_TO_300: f64 = f64::from_bits((1023 + 300) << 52);
-    let root = fifth_root(force::LIMIT[0] / (wanted * TWO_TO_500));
+    let root = fifth_root(LIMIT[0] / (wanted * TWO_TO_500));
     let mut u = root * root * root * TWO_TO_300;
     if wanted < 1e-250 {
         return u;

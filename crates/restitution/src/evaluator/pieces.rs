@@ -8,6 +8,8 @@ pub(crate) const LIFT_SIXTH: u32 = 36;
 pub(crate) const LIFT_SEVENTH: u32 = 43;
 /// Words of a row.
 pub(crate) const WORDS: u64 = 8;
+/// Rows of a table of the evaluator.
+pub(crate) const ROWS: usize = 2048;
 /// Coefficients of a piece.
 pub(crate) const LENGTH: usize = 8;
 
@@ -87,7 +89,7 @@ impl<const N: usize> Rows<N> {
 impl Piece {
     /// Returns `c_0` to `c_7`.
     #[inline(always)]
-    fn all(&self) -> [f64; LENGTH] {
+    pub(crate) fn all(&self) -> [f64; LENGTH] {
         let [c0, c1, c2, c3, c4, c5, ..] = self.0;
         [c0, c1, c2, c3, c4, c5, c5 << LIFT_SIXTH, c4 << LIFT_SEVENTH].map(f64::from_bits)
     }
@@ -214,7 +216,7 @@ mod tests {
     fn the_end_of_a_table_is_where_locate_says() {
         for (grid, pieces, end) in [
             (Grid::new(8.0, 9, 0.0), 448, 7.0_f64.next_down()), // 7 - 2^-50 + 8 rounds to 15
-            (Grid::new(0.5, 6, 0.0625), 696, 1023.5),
+            (Grid::new(1.0 / 512.0, 6, 0.0), 1216, 1024.0 - 1.0 / 512.0),
             (Grid::new(8.0, 9, 0.0), 64, 1.0 - 4.0 * f64::EPSILON),
         ] {
             assert_eq!(grid.end(pieces), end);

@@ -1,77 +1,33 @@
 //! The contact that ends at zero compression.
 
-use super::curve::{Curve, ROWS};
-use super::pieces::{Piece, Rows};
+use super::curve::Curve;
+use super::pieces::{Grid, ROWS, Rows, WORDS};
 use super::rounding::{Number, Rooted};
-use super::tables::zero_compression::{GRID, INNER, NEAR, NEAR_END, OUTER_GRID, PIECES};
-
-/// The pieces, for batches: those in `u`, then those of the power law in the significand of `u`.
-static TABLE: Rows<ROWS> = Rows::of(&PIECES);
-/// From here on an argument is rounded beyond the pieces in `u`.
-const TABLE_END: f64 = GRID.end(INNER);
-/// Below, the power law needs no more than one power of two.
-const LARGE: f64 = f64::from_bits((1023 + 200) << 52);
+use super::tables::zero_compression::{COUNT, GRID, NEAR, NEAR_END, TABLE};
 
 /// The end at zero compression.
 pub(crate) struct ZeroCompression;
 
 impl Curve for ZeroCompression {
     const TABLE: &'static Rows<ROWS> = &TABLE;
+    const GRID: Grid = GRID;
+    const COUNT: usize = COUNT;
     const NEAR_END: f64 = NEAR_END;
-    const END: f64 = LARGE;
-    const HAS_POWER: bool = true;
 
-    #[inline(always)]
-    fn is_other(u: f64) -> bool {
-        u >= TABLE_END
-    }
-
-    #[inline(always)]
-    fn place(u: f64) -> (u64, f64) {
-        let (index, centre) = GRID.locate(u);
-        (index as u64, centre)
-    }
-
-    /// In the significand of `u`, with the power of two that is missing.
+    /// By the pieces for `2^8 <= u < 2^9`, where the exit speed has long been saturated.
     ///
     /// ```text
-    /// epsilon = R^5/u^5 (1 + O(1e-18)) = 2^(-5k) R^5/m^5,   u = 2^k m,  1 <= m < 2,  k <= 200
+    /// epsilon = R^5/u^5 (1 + O(1e-18)),   epsilon(2^k u) = 2^(-5k) epsilon(u)
     /// ```
-    #[inline(always)]
-    fn place_other(u: f64, low: f64) -> (u64, f64, f64) {
-        const SIGNIFICAND: u64 = (1 << 52) - 1;
-        let bits = u.to_bits();
-        let exponent = bits >> 52;
-        let m = f64::from_bits((bits & SIGNIFICAND) | 1.0_f64.to_bits());
-        let shrunk = f64::from_bits((2046_u64.wrapping_sub(exponent) & 0x7ff) << 52); // 2^-k
-        let (index, centre) = OUTER_GRID.locate(m);
-        let power = f64::from_bits((6 * 1023_u64).wrapping_sub(5 * exponent) << 52);
-        ((index + INNER) as u64, (m - centre) + low * shrunk, power)
-    }
-
-    #[inline(always)]
-    fn piece(u: f64, distance: impl Fn(f64) -> f64) -> Option<(&'static Piece, f64)> {
-        let (index, centre) = GRID.locate(u);
-        match PIECES.get(index) {
-            Some(piece) if index < INNER && u >= Self::NOTHING_LOST => Some((piece, distance(centre))),
-            _ => None,
-        }
-    }
-
     fn beyond(u: f64, low: f64) -> f64 {
+        const ALL_STOPPED: f64 = f64::from_bits((1023 + 216) << 52);
+        const LARGE: f64 = f64::from_bits((1023 + 200) << 52); // below, the power is normal
         const SCALE: f64 = f64::from_bits((1023 - 100) << 52);
         const SCALE_TO_5: f64 = f64::from_bits((1023 - 500) << 52);
-        const ALL_STOPPED: f64 = f64::from_bits((1023 + 216) << 52);
-        if u < NEAR_END {
-            return if u >= 0.0 { 1.0 } else { f64::NAN };
-        }
-        if u < LARGE {
-            return power_law(u, low);
-        }
         if u >= ALL_STOPPED {
             return 0.0;
         }
-        if u.is_nan() { u } else { power_law(u * SCALE, low * SCALE) * SCALE_TO_5 }
+        if u < LARGE { power_law(u, low) } else { power_law(u * SCALE, low * SCALE) * SCALE_TO_5 }
     }
 
     #[inline(always)]
@@ -92,8 +48,13 @@ pub(crate) fn near<T: Number>(u: T) -> T {
     u.clone() * u.clone().multiply_add(u4.multiply_add(high, low), c(0))
 }
 
-#[inline(always)]
+/// `epsilon(2^k m) = 2^(-5k) epsilon(m)`, `2^8 <= m < 2^9`.
 fn power_law(u: f64, low: f64) -> f64 {
-    let (index, t, power) = ZeroCompression::place_other(u, low);
-    PIECES[(index as usize).min(PIECES.len() - 1)].value(t) * power
+    const EXPONENT: u64 = 1023 + 8;
+    const SIGNIFICAND: u64 = (1 << 52) - 1;
+    let k = (u.to_bits() >> 52).wrapping_sub(EXPONENT);
+    let m = f64::from_bits((u.to_bits() & SIGNIFICAND) | (EXPONENT << 52));
+    let power = |exponent: u64| f64::from_bits(1023_u64.wrapping_sub(exponent) << 52);
+    let (index, centre) = GRID.locate(m);
+    TABLE.row(index as u64 * WORDS).value((m - centre) + low * power(k)) * power(5 * k)
 }

@@ -1,16 +1,10 @@
 //! The contact that ends at zero force.
 
-use super::curve::{Curve, ROWS};
-use super::pieces::{Grid, Piece, Rows, polynomial};
-use super::rounding::{Number, Rooted, square_root, two_product};
-use super::tables::zero_force::{
-    BEYOND, GRID, LIMIT, NEAR_END, NEAR_HALVES, NEAR_WHOLES, PIECES, ROOT_GRID, ROOT_PIECES,
-};
+use super::curve::Curve;
+use super::pieces::{Grid, ROWS, Rows, polynomial};
+use super::rounding::{Number, Rooted, two_product};
+use super::tables::zero_force::{BEYOND, COUNT, GRID, LIMIT, NEAR_END, NEAR_HALVES, NEAR_WHOLES, TABLE};
 
-/// The pieces, for batches: those in `sqrt(u)`, then those in `u`.
-static TABLE: Rows<ROWS> = Rows::of(&PIECES);
-/// From here on an argument is rounded beyond the table.
-const TABLE_END: f64 = GRID.end(PIECES.len() - ROOT_PIECES);
 /// Pieces of 1/32 of a factor of two in `u^(-1/3) + 1/16`.
 const GRID_BEYOND: Grid = Grid::new(1.0 / 16.0, 5, 0.0);
 
@@ -19,39 +13,9 @@ pub(crate) struct ZeroForce;
 
 impl Curve for ZeroForce {
     const TABLE: &'static Rows<ROWS> = &TABLE;
+    const GRID: Grid = GRID;
+    const COUNT: usize = COUNT;
     const NEAR_END: f64 = NEAR_END;
-    const END: f64 = TABLE_END;
-    const HAS_POWER: bool = false;
-
-    #[inline(always)]
-    fn is_other(u: f64) -> bool {
-        u < NEAR_END
-    }
-
-    #[inline(always)]
-    fn place(u: f64) -> (u64, f64) {
-        let (index, centre) = GRID.locate(u);
-        ((index as u64).wrapping_add(ROOT_PIECES as u64), centre)
-    }
-
-    /// In the square root of `u`, in which `epsilon` is smooth.
-    #[inline(always)]
-    fn place_other(u: f64, _: f64) -> (u64, f64, f64) {
-        let root = square_root(u);
-        let (index, centre) = ROOT_GRID.locate(root);
-        (index as u64, root - centre, 1.0)
-    }
-
-    #[inline(always)]
-    fn piece(u: f64, distance: impl Fn(f64) -> f64) -> Option<(&'static Piece, f64)> {
-        if u < NEAR_END {
-            let (index, t, _) = Self::place_other(distance(0.0), 0.0);
-            let lost = u >= Self::NOTHING_LOST;
-            return lost.then(|| (&PIECES[(index as usize).min(ROOT_PIECES - 1)], t));
-        }
-        let (index, centre) = Self::place(u);
-        PIECES.get(index as usize).map(|piece| (piece, distance(centre)))
-    }
 
     /// ```text
     /// epsilon = (3/2)^(2/3) u^(-5/3) (1 + s(u^(-1/3)))
@@ -62,14 +26,8 @@ impl Curve for ZeroForce {
         const SCALE: f64 = f64::from_bits((1023 - 300) << 52);
         const SCALED_ROOT: f64 = f64::from_bits((1023 - 100) << 52);
         const SCALED_POWER: f64 = f64::from_bits((1023 - 500) << 52);
-        if u < NEAR_END {
-            return if u >= 0.0 { 1.0 } else { f64::NAN };
-        }
         if u < LARGE {
             return power_law(u, low, 1.0);
-        }
-        if u.is_nan() {
-            return u; // the exponent of a number is what the power law starts from
         }
         if u.is_infinite() {
             return 0.0;

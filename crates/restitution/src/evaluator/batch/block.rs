@@ -81,60 +81,51 @@ impl Batch<'_> {
 /// One argument or velocity.
 fn single<T: Curve>(u: f64, quantity: Quantity, factor: Option<Restitution>) -> f64 {
     match (factor, quantity) {
-        (None, Quantity::Kept) => T::epsilon(u),
-        (None, _) => T::one_minus_epsilon(u),
+        (None, Quantity::Kept) => kept_alone::<T>(u),
+        (None, _) => lost_alone::<T>(u),
         (Some(law), Quantity::Kept) => law.epsilon(u),
         (Some(law), Quantity::Lost) => law.one_minus_epsilon(u),
         (Some(law), Quantity::U) => law.u(u),
     }
 }
 
-/// The rows of arguments that are placed in `u`, and the distances from their centres.
+/// The rows of arguments, and the distances from their centres.
 #[inline(always)]
 fn places<T: Curve>(u: &[f64; BLOCK]) -> (Block<u64>, Block<f64>) {
     let (mut start, mut t) = (Block::zeros(), Block::zeros());
     for i in 0..BLOCK {
-        let (row, centre) = T::place(u[i]);
-        (start[i], t[i]) = (row.wrapping_mul(WORDS), u[i] - centre);
+        let (row, centre) = T::GRID.locate(u[i]);
+        (start[i], t[i]) = ((row as u64).wrapping_mul(WORDS), u[i] - centre);
     }
     (start, t)
 }
 
-/// The rows of arguments each of which is placed in its own variable.
+/// `epsilon` of one argument of a block; as a call, so that the loops of blocks stay small.
+#[inline(never)]
+fn kept_alone<T: Curve>(u: f64) -> f64 {
+    T::epsilon(u)
+}
+
+/// `1 - epsilon` of one argument of a block.
+#[inline(never)]
+fn lost_alone<T: Curve>(u: f64) -> f64 {
+    T::one_minus_epsilon(u)
+}
+
+/// Whether all arguments have a piece for `epsilon`.
 #[inline(always)]
-fn mixed_places<T: Curve>(u: &[f64; BLOCK]) -> Places {
-    let mut places = Places::new();
-    for (i, u) in u.iter().enumerate() {
-        let (row, centre) = T::place(*u);
-        let (other, t, power) = T::place_other(*u, 0.0);
-        let is_other = T::is_other(*u);
-        places.start[i] = if is_other { other } else { row }.wrapping_mul(WORDS);
-        places.t[i] = if is_other { t } else { *u - centre };
-        if T::HAS_POWER {
-            places.power[i] = if is_other { power } else { 1.0 };
-        }
+fn all_have_pieces<T: Curve>(u: &[f64; BLOCK]) -> bool {
+    let mut all = true;
+    for u in u {
+        all &= (T::NOTHING_LOST <= *u) & (*u < T::END);
     }
-    places
+    all
 }
 
 /// Blocks are evaluated by a machine in a table.
 struct Blocks<M, T> {
     machine: M,
     table: PhantomData<T>,
-}
-
-/// The words of the table at which the rows of a block start, the distances from their centres, and what values are multiplied by.
-struct Places {
-    start: Block<u64>,
-    t: Block<f64>,
-    power: Block<f64>,
-}
-
-impl Places {
-    #[inline(always)]
-    fn new() -> Self {
-        Self { start: Block::zeros(), t: Block::zeros(), power: Block::zeros() }
-    }
 }
 
 impl<M: Machine, T> Blocks<M, T> {
@@ -149,26 +140,12 @@ impl<M: Machine, T> Blocks<M, T> {
     where
         T: Curve,
     {
-        let (mut common, mut odd) = (true, false);
-        for u in u {
-            common &= (T::NOTHING_LOST <= *u) & (*u < T::END) & !T::is_other(*u);
-            odd |= !((0.0 <= *u) & (*u < T::END));
-        }
-        if common {
-            let (start, t) = places::<T>(u);
-            self.machine.values(T::TABLE, &start, &t, out);
-            return;
-        }
-        let places = mixed_places::<T>(u);
-        self.machine.values(T::TABLE, &places.start, &places.t, out);
-        for i in 0..BLOCK {
-            let value = if T::HAS_POWER { out[i] * places.power[i] } else { out[i] };
-            out[i] = if u[i] < T::NOTHING_LOST { 1.0 } else { value };
-        }
-        if odd {
-            for i in 0..BLOCK {
-                if !(0.0..T::END).contains(&u[i]) {
-                    out[i] = T::epsilon(u[i]);
+        let (start, t) = places::<T>(u);
+        self.machine.values(T::TABLE, &start, &t, out);
+        if !all_have_pieces::<T>(u) {
+            for (u, out) in u.iter().zip(out) {
+                if !(T::NOTHING_LOST..T::END).contains(u) {
+                    *out = kept_alone::<T>(*u);
                 }
             }
         }
@@ -180,25 +157,14 @@ impl<M: Machine, T> Blocks<M, T> {
     where
         T: Curve,
     {
-        let (mut near, mut common, mut odd) = (0_u64, true, false);
+        let (mut near, mut others) = (0_u64, 0_u64);
         for u in u {
-            let is_near = *u < T::NEAR_END;
-            near += u64::from(is_near);
-            common &= is_near | !T::is_other(*u);
-            odd |= !((0.0 <= *u) & (*u < T::END));
+            near += u64::from(*u < T::NEAR_END);
+            others += u64::from(!((0.0 <= *u) & (*u < T::END)));
         }
-        if common && near < BLOCK as u64 {
+        if near < BLOCK as u64 {
             let (start, t) = places::<T>(u);
             self.machine.losses(T::TABLE, &start, &t, out);
-        }
-        if !common {
-            let places = mixed_places::<T>(u);
-            let mut kept = Block::zeros();
-            self.machine.values_and_losses(T::TABLE, &places.start, &places.t, &mut kept, out);
-            for i in 0..BLOCK {
-                let beyond = 1.0 - kept[i] * places.power[i];
-                out[i] = if T::is_other(u[i]) { beyond } else { out[i] };
-            }
         }
         if near > FEW {
             for i in 0..BLOCK {
@@ -206,10 +172,10 @@ impl<M: Machine, T> Blocks<M, T> {
                 out[i] = if u[i] < T::NEAR_END { value } else { out[i] };
             }
         }
-        if odd | (near > 0 && near <= FEW) {
-            for i in 0..BLOCK {
-                if u[i] < T::NEAR_END || !(0.0..T::END).contains(&u[i]) {
-                    out[i] = T::one_minus_epsilon(u[i]);
+        if others > 0 || (near > 0 && near <= FEW) {
+            for (u, out) in u.iter().zip(out) {
+                if !(T::NEAR_END..T::END).contains(u) {
+                    *out = lost_alone::<T>(*u);
                 }
             }
         }
@@ -274,38 +240,17 @@ impl<M: Machine, T> Blocks<M, T> {
     where
         T: Curve,
     {
-        let (mut places, mut common, mut odd) = (Places::new(), true, false);
+        let (mut start, mut t, mut estimates) = (Block::zeros(), Block::zeros(), Block::<f64>::zeros());
         for i in 0..BLOCK {
             let root = roots.at(i);
-            let estimate = root.estimate();
-            let (row, centre) = T::place(estimate);
-            common &= (T::NOTHING_LOST <= estimate) & !T::is_other(estimate);
-            odd |= estimate >= T::END;
-            (places.start[i], places.t[i]) = (row.wrapping_mul(WORDS), root.distance(centre));
+            estimates[i] = root.estimate();
+            let (row, centre) = T::GRID.locate(estimates[i]);
+            (start[i], t[i]) = ((row as u64).wrapping_mul(WORDS), root.distance(centre));
         }
-        let mut u = Block::<f64>::zeros();
-        if !common {
+        self.machine.values(T::TABLE, &start, &t, out);
+        if !all_have_pieces::<T>(&estimates) {
             for i in 0..BLOCK {
-                let root = roots.at(i);
-                u[i] = root.distance(0.0);
-                let (other, t, power) = T::place_other(u[i], root.distance(u[i]));
-                let is_other = T::is_other(root.estimate());
-                places.start[i] = if is_other { other.wrapping_mul(WORDS) } else { places.start[i] };
-                places.t[i] = if is_other { t } else { places.t[i] };
-                places.power[i] = if is_other { power } else { 1.0 };
-            }
-        }
-        self.machine.values(T::TABLE, &places.start, &places.t, out);
-        if !common {
-            for (i, out) in out.iter_mut().enumerate() {
-                let one = roots.at(i).estimate() < T::NOTHING_LOST;
-                let value = if T::HAS_POWER { *out * places.power[i] } else { *out };
-                *out = if one { 1.0 } else { value };
-            }
-        }
-        if odd {
-            for i in 0..BLOCK {
-                if roots.at(i).estimate() >= T::END {
+                if !(T::NOTHING_LOST..T::END).contains(&estimates[i]) {
                     out[i] = law.epsilon(velocities[i]);
                 }
             }

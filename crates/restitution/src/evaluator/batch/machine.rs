@@ -56,16 +56,6 @@ pub(super) trait Machine: Copy {
         out: &mut [f64; BLOCK],
     );
 
-    /// Writes both.
-    fn values_and_losses<const N: usize>(
-        self,
-        table: &Rows<N>,
-        start: &Block<u64>,
-        t: &Block<f64>,
-        kept: &mut [f64; BLOCK],
-        lost: &mut [f64; BLOCK],
-    );
-
     /// Writes the values of rows of a tier.
     fn tier<const N: usize, const WIDTH: usize>(
         self,
@@ -108,19 +98,6 @@ impl Machine for Compiled {
         for i in 0..BLOCK {
             out[i] = table.row(start[i]).one_minus(t[i]);
         }
-    }
-
-    #[inline(always)]
-    fn values_and_losses<const N: usize>(
-        self,
-        table: &Rows<N>,
-        start: &Block<u64>,
-        t: &Block<f64>,
-        kept: &mut [f64; BLOCK],
-        lost: &mut [f64; BLOCK],
-    ) {
-        self.values(table, start, t, kept);
-        self.losses(table, start, t, lost);
     }
 
     #[inline(always)]

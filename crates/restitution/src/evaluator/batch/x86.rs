@@ -229,26 +229,6 @@ impl<S: Width> Machine for S {
     }
 
     #[inline(always)]
-    fn values_and_losses<const N: usize>(
-        self,
-        table: &Rows<N>,
-        index: &Block<u64>,
-        t: &Block<f64>,
-        kept: &mut [f64; BLOCK],
-        lost: &mut [f64; BLOCK],
-    ) {
-        let (t, _) = S::as_simd_f64s(&t[..]);
-        let (kept, _) = S::as_mut_simd_f64s(&mut kept[..]);
-        let (lost, _) = S::as_mut_simd_f64s(&mut lost[..]);
-        for (((t, kept), lost), start) in t.iter().zip(kept).zip(lost).zip(index.chunks_exact(S::F64_LANES)) {
-            let (c, complement) = row(self, table, start);
-            let t = Vector(self, *t);
-            *kept = polynomial(&c, t).1;
-            *lost = one_minus(&c, complement, t).1;
-        }
-    }
-
-    #[inline(always)]
     fn tier<const N: usize, const WIDTH: usize>(
         self,
         table: &Rows<N>,
