@@ -62,7 +62,7 @@ pub enum DirectError {
     },
     /// At no precision that was tried could the motion be told from one that comes to rest.
     #[error(
-        "with {bits} bits the rebound could not be told from rest, the restitution coefficient is 0 or below some 10^-60: give a smaller u, or end the contact at zero force"
+        "the rebound is so faint that {bits} bits do not tell it from rest: give a smaller u, or end the contact at zero force"
     )]
     Faint {
         /// The working precision that was reached.
