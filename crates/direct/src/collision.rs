@@ -78,7 +78,8 @@ impl Collision {
     /// # Errors
     ///
     /// [`DirectError::Damping`] if `u < 0`, [`DirectError::Overdamped`] if the bodies do not separate,
-    /// [`DirectError::StepVanished`] or [`DirectError::Real`] if the digits cannot be proved.
+    /// [`DirectError::Faint`] if their speed cannot be told from rest, [`DirectError::StepVanished`], [`DirectError::Stiff`]
+    /// or [`DirectError::Real`] if the digits cannot be proved.
     pub fn epsilon(&self, u: &BigRational, digits: usize) -> Result<Ball, DirectError> {
         if let Some(dashpot) = self.slow_dashpot(u) {
             return proved(digits, first_precision(digits), |prec| dashpot.epsilon(prec));

@@ -113,7 +113,7 @@ impl Collision {
     ///
     /// [`DirectError::Interval`] unless `0 <= from <= to`, the degree is at most 100 and `prec` from 40
     /// to 20000 bits; [`DirectError::NoInterpolant`] for laws whose motion has a branch point at zero
-    /// compression; [`DirectError::StepVanished`] if the interval is too wide, or reaches a damping for which
+    /// compression; [`DirectError::StepVanished`] or [`DirectError::Stiff`] if the interval is too wide, or reaches a damping for which
     /// contact does not end, or down to 0 with the end at zero force.
     ///
     /// # Examples

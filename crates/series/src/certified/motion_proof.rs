@@ -65,12 +65,17 @@ pub(crate) fn bound(
     // A few bits lost by the cut cost less than more terms.
     let cut = friction.iter().fold(pull.cut(), |cut, friction| cut.max(friction.cut()));
     if cut > CUT {
-        let terms = (cut.log2() / (0.9 * slope)).ceil() as usize;
+        let terms = terms_for(cut, slope);
         // Rounding that grows so far is not a matter of terms.
         let folds = terms < MOST_FOLDS * motion.f[0].len();
         return if folds { Ok(Outcome::Cut(terms)) } else { Err(Unbounded::Bits(shop.bits() / 2)) };
     }
     in_detail(|detail| bound_in(detail, shop, scale, motion, slope, &pull, friction.as_ref()))
+}
+
+/// About how many terms more make what is cut off so many times smaller.
+fn terms_for(cut: f64, slope: f64) -> usize {
+    (cut.log2() / (0.9 * slope)).ceil() as usize
 }
 
 fn bound_in(
@@ -105,7 +110,7 @@ fn bound_in(
     let rest = residual.to_f64() + pull_error.to_f64() + drag_error.to_f64();
     let cut = (last + folded).to_f64() / (rest - (last + folded).to_f64()).max(1.0);
     if cut > CUT {
-        return Ok(Outcome::Cut((cut.log2() / (0.9 * slope)).ceil() as usize));
+        return Ok(Outcome::Cut(terms_for(cut, slope)));
     }
     let residual = residual + pull_error * exact(1.0 / elastic) + drag_error * exact(1.0 / damping);
     let (e, d) = (Magnitude::of(&scale.elastic), Magnitude::of(&scale.damping));
@@ -121,14 +126,18 @@ fn bound_in(
     };
     let second = curvature(e, power, stiffness.norm(), elastic) + curvature(d, damping, drag.norm(), damping);
     let second = second * relative * powers.reciprocal() * velocity;
-    let excess = 2.0 * (relative * exact(power.max(damping).max(1.0))).to_f64();
-    let excess = excess.max(second.to_f64() / residual.to_f64());
+    let first = relative * exact(power.max(damping).max(1.0));
     let position = velocity * exact(1.0 / (1.0 + elastic.min(damping)));
-    match excess {
-        ..=1.0 if velocity.is_finite() => Ok(Outcome::Bounded(MotionErrors { position, velocity })),
-        1.0.. if excess.is_finite() => Err(Unbounded::Bits(excess.log2().ceil() as u32)),
-        _ => Err(Unbounded::Large),
+    // Compared as they are: a quotient could be rounded to 1.
+    if first.to_f64() <= 0.5 && second <= residual && velocity.is_finite() {
+        return Ok(Outcome::Bounded(MotionErrors { position, velocity }));
     }
+    let excess = (2.0 * first.to_f64()).max(second.to_f64() / residual.to_f64());
+    Err(if excess.is_finite() {
+        Unbounded::Bits(excess.log2().ceil().max(1.0) as u32)
+    } else {
+        Unbounded::Large
+    })
 }
 
 /// The response of the linearised problem, with bins that are wider where there would be too many.

@@ -1,7 +1,7 @@
 //! A block of arguments, form by form.
 
 use super::Work;
-use super::machine::{BLOCK, Block, Machine};
+use super::machine::{BLOCK, Block, Kept, Lost, Machine};
 use crate::evaluator::curve::Curve;
 use crate::evaluator::fifth_root::{Root, fifth_power, is_ordinary};
 use crate::evaluator::pieces::WORDS;
@@ -141,7 +141,7 @@ impl<M: Machine, T> Blocks<M, T> {
         T: Curve,
     {
         let (start, t) = places::<T>(u);
-        self.machine.values(T::TABLE, &start, &t, out);
+        self.machine.read::<Kept, _>(T::TABLE, &start, &t, out);
         if !all_have_pieces::<T>(u) {
             for (u, out) in u.iter().zip(out) {
                 if !(T::NOTHING_LOST..T::END).contains(u) {
@@ -164,7 +164,7 @@ impl<M: Machine, T> Blocks<M, T> {
         }
         if near < BLOCK as u64 {
             let (start, t) = places::<T>(u);
-            self.machine.losses(T::TABLE, &start, &t, out);
+            self.machine.read::<Lost, _>(T::TABLE, &start, &t, out);
         }
         if near > FEW {
             for i in 0..BLOCK {
@@ -247,7 +247,7 @@ impl<M: Machine, T> Blocks<M, T> {
             let (row, centre) = T::GRID.locate(estimates[i]);
             (start[i], t[i]) = ((row as u64).wrapping_mul(WORDS), root.distance(centre));
         }
-        self.machine.values(T::TABLE, &start, &t, out);
+        self.machine.read::<Kept, _>(T::TABLE, &start, &t, out);
         if !all_have_pieces::<T>(&estimates) {
             for i in 0..BLOCK {
                 if !(T::NOTHING_LOST..T::END).contains(&estimates[i]) {

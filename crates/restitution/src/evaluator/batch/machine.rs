@@ -1,7 +1,8 @@
 //! What a processor is asked for: rows of a table, looked up and evaluated side by side.
 
 use crate::evaluator::fifth_root::ROOTS;
-use crate::evaluator::pieces::Rows;
+use crate::evaluator::pieces::{LENGTH, Rows, one_minus, polynomial};
+use crate::evaluator::rounding::Number;
 use crate::evaluator::tier::value;
 use core::ops::{Deref, DerefMut};
 
@@ -36,19 +37,34 @@ impl<T> DerefMut for Block<T> {
     }
 }
 
+/// What becomes of a row.
+pub(super) trait Reading {
+    fn of<T: Number>(c: &[T; LENGTH], complement: T, t: T) -> T;
+}
+
+/// `epsilon`.
+pub(super) struct Kept;
+/// `1 - epsilon`.
+pub(super) struct Lost;
+
+impl Reading for Kept {
+    #[inline(always)]
+    fn of<T: Number>(c: &[T; LENGTH], _: T, t: T) -> T {
+        polynomial(c, t)
+    }
+}
+
+impl Reading for Lost {
+    #[inline(always)]
+    fn of<T: Number>(c: &[T; LENGTH], complement: T, t: T) -> T {
+        one_minus(c, complement, t)
+    }
+}
+
 /// A set of instructions that a block is evaluated with.
 pub(super) trait Machine: Copy {
-    /// Writes the coefficient at `centre + t` of the row that starts at each word.
-    fn values<const N: usize>(
-        self,
-        table: &Rows<N>,
-        start: &Block<u64>,
-        t: &Block<f64>,
-        out: &mut [f64; BLOCK],
-    );
-
-    /// Writes one less the coefficient.
-    fn losses<const N: usize>(
+    /// Writes what becomes of the row that starts at each word, at `centre + t`.
+    fn read<R: Reading, const N: usize>(
         self,
         table: &Rows<N>,
         start: &Block<u64>,
@@ -75,7 +91,7 @@ pub(super) struct Compiled;
 
 impl Machine for Compiled {
     #[inline(always)]
-    fn values<const N: usize>(
+    fn read<R: Reading, const N: usize>(
         self,
         table: &Rows<N>,
         start: &Block<u64>,
@@ -83,20 +99,8 @@ impl Machine for Compiled {
         out: &mut [f64; BLOCK],
     ) {
         for i in 0..BLOCK {
-            out[i] = table.row(start[i]).value(t[i]);
-        }
-    }
-
-    #[inline(always)]
-    fn losses<const N: usize>(
-        self,
-        table: &Rows<N>,
-        start: &Block<u64>,
-        t: &Block<f64>,
-        out: &mut [f64; BLOCK],
-    ) {
-        for i in 0..BLOCK {
-            out[i] = table.row(start[i]).one_minus(t[i]);
+            let piece = table.row(start[i]);
+            out[i] = R::of(&piece.all(), piece.complement(), t[i]);
         }
     }
 

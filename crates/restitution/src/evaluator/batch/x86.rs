@@ -1,9 +1,9 @@
 //! Vectors of 256 and 512 bits: rows are loaded whole and transposed in registers.
 
 use super::Work;
-use super::machine::{BLOCK, Block, Compiled, Machine};
+use super::machine::{BLOCK, Block, Compiled, Machine, Reading};
 use crate::evaluator::fifth_root::ROOTS;
-use crate::evaluator::pieces::{LENGTH, LIFT_SEVENTH, LIFT_SIXTH, Rows, one_minus, polynomial};
+use crate::evaluator::pieces::{LENGTH, LIFT_SEVENTH, LIFT_SIXTH, Rows};
 use crate::evaluator::rounding::{Number, Rooted};
 use crate::evaluator::tier::value;
 use core::arch::x86_64::__m128d;
@@ -183,49 +183,21 @@ impl<S: Width> Rooted for Vector<S> {
     }
 }
 
-/// What becomes of a row.
-trait Reading {
-    fn of<T: Number>(c: &[T; LENGTH], complement: T, t: T) -> T;
-}
-
-struct Value;
-struct Loss;
-
-impl Reading for Value {
-    #[inline(always)]
-    fn of<T: Number>(c: &[T; LENGTH], _: T, t: T) -> T {
-        polynomial(c, t)
-    }
-}
-
-impl Reading for Loss {
-    #[inline(always)]
-    fn of<T: Number>(c: &[T; LENGTH], complement: T, t: T) -> T {
-        one_minus(c, complement, t)
-    }
-}
-
 impl<S: Width> Machine for S {
     #[inline(always)]
-    fn values<const N: usize>(
+    fn read<R: Reading, const N: usize>(
         self,
         table: &Rows<N>,
-        index: &Block<u64>,
+        start: &Block<u64>,
         t: &Block<f64>,
         out: &mut [f64; BLOCK],
     ) {
-        read::<S, Value, N>(self, table, index, t, out);
-    }
-
-    #[inline(always)]
-    fn losses<const N: usize>(
-        self,
-        table: &Rows<N>,
-        index: &Block<u64>,
-        t: &Block<f64>,
-        out: &mut [f64; BLOCK],
-    ) {
-        read::<S, Loss, N>(self, table, index, t, out);
+        let (t, _) = S::as_simd_f64s(&t[..]);
+        let (out, _) = S::as_mut_simd_f64s(&mut out[..]);
+        for ((t, out), start) in t.iter().zip(out).zip(start.chunks_exact(S::F64_LANES)) {
+            let (c, complement) = row(self, table, start);
+            *out = R::of(&c, complement, Vector(self, *t)).1;
+        }
     }
 
     #[inline(always)]
@@ -254,22 +226,6 @@ impl<S: Width> Machine for S {
         {
             [*root, *reciprocal] = Width::roots(self, index);
         }
-    }
-}
-
-#[inline(always)]
-fn read<S: Width, R: Reading, const N: usize>(
-    simd: S,
-    table: &Rows<N>,
-    index: &Block<u64>,
-    t: &Block<f64>,
-    out: &mut [f64; BLOCK],
-) {
-    let (t, _) = S::as_simd_f64s(&t[..]);
-    let (out, _) = S::as_mut_simd_f64s(&mut out[..]);
-    for ((t, out), start) in t.iter().zip(out).zip(index.chunks_exact(S::F64_LANES)) {
-        let (c, complement) = row(simd, table, start);
-        *out = R::of(&c, complement, Vector(simd, *t)).1;
     }
 }
 
