@@ -78,3 +78,6 @@ fn first_place(places: Range<usize>, holds: impl Fn(usize) -> bool) -> Option<us
 fn nonzero(cause: &Cause) -> Vec<(usize, Magnitude)> {
     cause.sizes.iter().copied().enumerate().filter(|(_, size)| size.to_f64() > 0.0).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -350,3 +350,6 @@ pub(crate) fn over_one_minus(x: Magnitude) -> Option<Magnitude> {
     let rest = (1.0 - x.to_f64()).next_down();
     (rest > 1e-3).then(|| Magnitude::exact((1.0 / rest).next_up()))
 }
+
+#[cfg(test)]
+mod tests;
