@@ -156,3 +156,6 @@ pub(crate) fn prove(
     let error = result.error + result.norm * logarithm * Magnitude::exact(1.0 + 1e-5);
     Some(Restitution { series: result.series, error, weight })
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,135 @@
+use super::super::inverse::logarithm;
+use super::*;
+use restitution_real::Ball;
+
+const BITS: u32 = 128;
+const MORE: u32 = 256;
+const HEAD: u32 = 48;
+/// An error far above all rounding.
+const LARGE: f64 = (1u64 << 40) as f64;
+
+/// Exponents of spheres, of a law with `p < 0`, and of one with `p > 1`.
+const EXPONENTS: [Exponents; 3] = [
+    Exponents { elastic: (4, 5), velocity: (1, 5) },
+    Exponents { elastic: (4, 3), velocity: (-2, 3) },
+    Exponents { elastic: (1, 2), velocity: (9, 4) },
+];
+
+/// `1 + sum y_k v^k` with falling coefficients of alternating sign, in units of `2^-bits`.
+fn compression(len: usize, bits: u32) -> Vec<Integer> {
+    let coefficient = |k: usize| {
+        let unit = Integer::from(1) << BITS;
+        let size = if k == 0 { unit } else { unit * 2 / (Integer::from(5) << k as u32) };
+        (if k % 2 == 1 { -size } else { size }) << (bits - BITS)
+    };
+    (0..len).map(coefficient).collect()
+}
+
+/// `y` with an error at one place, `ln eps` for it, and what is proved.
+fn proved(y: &[Integer], y_error: f64, l_error: Option<(usize, f64)>, exponents: Exponents) -> Restitution {
+    let shop = Workshop::new(BITS, HEAD, (0, 1));
+    let y = Fixed::from_integers(y, shop.width());
+    let mut l = logarithm(&shop, &y, exponents, y.len());
+    if let Some((k, error)) = l_error {
+        l.set(k, &(l.integer(k) + Integer::from(error as u64)));
+    }
+    prove(&shop, &y, Magnitude::exact(y_error), &l, exponents).unwrap()
+}
+
+/// `eps_k` with many more bits, in units of `2^-BITS`.
+fn truth(len: usize, exponents: Exponents) -> Vec<Ball> {
+    let shop = Workshop::new(MORE, HEAD, (0, 1));
+    let y = Fixed::from_integers(&compression(len, MORE), shop.width());
+    let l = logarithm(&shop, &y, exponents, len);
+    let series = power_of_exponential(&shop, &l, (1, 1));
+    let ball = |k: usize| Ball::from_big_integer(&series.integer(k), 512).shifted(BITS as i32 - MORE as i32);
+    (0..len).map(ball).collect()
+}
+
+/// The largest `|eps_k - eps~_k| weight^k` over what is stated of it.
+fn used(found: &Restitution, truth: &[Ball]) -> f64 {
+    let off = |k: usize| {
+        let ours = Ball::from_big_integer(&found.series.integer(k), 512);
+        (ours - truth[k].clone()).abs().to_f64() * found.weight.powi(k as i32)
+    };
+    (0..truth.len()).map(off).fold(0.0, f64::max) / found.error.to_f64()
+}
+
+#[test]
+fn errors_of_the_compression_are_in_the_bound() {
+    for exponents in EXPONENTS {
+        for len in [2, 5, 8] {
+            let truth = truth(len, exponents);
+            let exact = compression(len, BITS);
+            assert!(used(&proved(&exact, 0.0, None, exponents), &truth) <= 1.0);
+            for k in 1..len {
+                for sign in [-1, 1] {
+                    let mut y = exact.clone();
+                    y[k] += Integer::from(LARGE as u64) * sign;
+                    let stated = used(&proved(&y, LARGE, None, exponents), &truth);
+                    assert!(stated <= 1.0, "{exponents:?}: y_{k} of {len} uses {stated} of the bound");
+                    // Without the error of what was given, the bound would be broken: this can be noticed.
+                    let silent = used(&proved(&y, 0.0, None, exponents), &truth);
+                    // Even orders cancel where they are the last, or where eps^q w^k = v^k.
+                    let [q, p] = [exponents.elastic, exponents.velocity].map(|(n, d)| n as f64 / d as f64);
+                    let cancels = k % 2 == 0 && (k + 1 == len || (q + p * k as f64).abs() < 1e-9);
+                    assert!(silent > 1.0 || cancels, "{exponents:?}: y_{k} of {len}: {silent}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn errors_of_the_logarithm_are_in_the_bound() {
+    for exponents in EXPONENTS {
+        for len in [2, 5, 8] {
+            let truth = truth(len, exponents);
+            let exact = compression(len, BITS);
+            for k in 1..len {
+                let found = proved(&exact, 0.0, Some((k, LARGE)), exponents);
+                let stated = used(&found, &truth);
+                assert!(stated <= 1.0, "{exponents:?}: L_{k} of {len} uses {stated} of the bound");
+                // An even order of L, if the last, cancels: it leaves no trace in G.
+                let cancels = k + 1 == len && k % 2 == 0;
+                assert!(stated > 1e-5 || cancels, "{exponents:?}: L_{k} of {len} uses {stated} of the bound");
+            }
+        }
+    }
+}
+
+/// Powers `exp(q L)` against many more bits.
+#[test]
+fn errors_of_exponentials_hold() {
+    let shop = Workshop::new(BITS, HEAD, (0, 1));
+    let more = Workshop::new(MORE, HEAD, (0, 1));
+    for len in [2usize, 3, 9] {
+        let logarithm = |bits: u32| -> Vec<Integer> {
+            compression(len, bits)
+                .into_iter()
+                .enumerate()
+                .map(|(k, c)| if k == 0 { Integer::new() } else { c })
+                .collect()
+        };
+        let l = Fixed::from_integers(&logarithm(BITS), shop.width());
+        let better = Fixed::from_integers(&logarithm(MORE), more.width());
+        for weight in [1.0, 0.75] {
+            let scales = Scales { shop: &shop, len, weight, small: power_of_two(-i64::from(BITS)) };
+            for power in [(1, 1), (4, 5), (-2, 3), (9, 4), (-7, 2)] {
+                let found = scales.exponential(&l, power).unwrap();
+                let truth = power_of_exponential(&more, &better, power);
+                let (mut norm, mut off, mut size) = (0.0, 0.0, 1.0);
+                for k in 0..len {
+                    let ours = Ball::from_big_integer(&found.series.integer(k), 512);
+                    let exact =
+                        Ball::from_big_integer(&truth.integer(k), 512).shifted(BITS as i32 - MORE as i32);
+                    norm += exact.clone().shifted(-(BITS as i32)).abs().to_f64() * size;
+                    off += (ours - exact).abs().to_f64() * size;
+                    size *= weight;
+                }
+                assert!(off <= found.error.to_f64(), "{power:?}: {off} {:?}", found.error);
+                assert!((norm..norm * (1.0 + 1e-9)).contains(&found.norm.to_f64()), "{power:?}: {norm}");
+            }
+        }
+    }
+}
