@@ -245,7 +245,7 @@ fn exact_power(f: &Exact, power: &BigRational, rows: usize, columns: usize) -> E
                 let weight = (power + BigRational::one()) * e((m, i)) - e((n, j));
                 weight * x * &out[&(n - m, j - i)]
             };
-            let below = f.iter().filter(|&(&(m, i), ref x)| m <= n && i <= j && m + i > 0 && !x.is_zero());
+            let below = f.iter().filter(|&(&(m, i), x)| m <= n && i <= j && m + i > 0 && !x.is_zero());
             let sum: BigRational = below.map(term).sum();
             // Shortened: a tail of 300 bits is nothing beside a bound.
             let value = sum / e((n, j));
