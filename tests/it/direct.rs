@@ -227,6 +227,23 @@ fn a_dashpot_of_any_damping_ends_at_zero_force_as_known() {
 }
 
 #[test]
+fn beyond_critical_damping_no_motion_need_be_followed() {
+    // p < 0: steps would have to shrink without end. Where the motion is followed (u = 3) the answer is the same.
+    let hard = collision("26/5,-1/2", End::ZeroCompression);
+    for u in [ratio(3, 1), ratio(100, 1), ratio(18_448, 1), ratio(i64::MAX, 1)] {
+        assert!(matches!(hard.epsilon(&u, 47), Err(DirectError::Overdamped { .. })), "{u}");
+    }
+    // p = 0: the barrier stands from the critical damping on, not before; a and gamma only scale it.
+    for (law, critical) in [("1,0", ratio(2, 1)), ("7,3", ratio(4, 1)), ("7/18,-11/36", ratio(5, 3))] {
+        let collision = collision(law, End::ZeroCompression);
+        let at = |scale: BigRational| collision.enclose(&Ball::from_rational(&(&critical * scale), 200), 100);
+        assert!(matches!(at(ratio(1_000_001, 1_000_000)), Err(DirectError::Overdamped { .. })), "{law}");
+        let below = at(ratio(19, 20));
+        assert!(below.as_ref().is_ok_and(Ball::is_positive), "{law}: {below:?}");
+    }
+}
+
+#[test]
 fn critical_damping_is_decided_exactly() {
     let tiny = BigRational::new(1.into(), num_bigint::BigInt::from(10).pow(30));
     for (law, critical) in [("1,0", ratio(2, 1)), ("7/18,-11/36", ratio(5, 3))] {

@@ -3,6 +3,7 @@ use crate::dashpot::Dashpot;
 use crate::equation::{Equation, shown};
 use crate::error::DirectError;
 use crate::exit::{to_zero_compression, to_zero_force};
+use crate::overdamping::never_leaves;
 use crate::precision::{first_precision, proved};
 use crate::saturation::Saturation;
 use crate::stepper::Stepper;
@@ -165,6 +166,9 @@ impl Collision {
     /// Follows the whole motion.
     fn integrate(&self, u: &Ball, prec: u32) -> Result<Ball, DirectError> {
         let equation = Equation::new(&self.law, u, prec);
+        if self.end == End::ZeroCompression && never_leaves(&equation) {
+            return Err(equation.overdamped());
+        }
         let mut stepper = Stepper::new(equation.wanted_slope());
         let rebounding = match impact_to_way_out(&equation, self.end) {
             Some(point) => {
