@@ -58,14 +58,20 @@ pub fn run(part: &dyn Part, cases: u64, state: &mut State, file: Option<&Path>) 
 }
 
 fn one_round(part: &dyn Part, seed: u64, progress: &mut Progress, next: u64) {
-    let attacked = |number: u64| (number, attack_case(part, seed, number));
+    let attacked = |number: u64| {
+        let started = Instant::now();
+        (number, attack_case(part, seed, number), started.elapsed().as_secs_f64())
+    };
     let numbers = progress.done..next;
     let found: Vec<_> = if part.alone() {
         numbers.map(attacked).collect()
     } else {
         numbers.into_par_iter().map(attacked).collect()
     };
-    for (number, tally) in found {
+    for (number, tally, seconds) in found {
+        if seconds > progress.slowest.1 {
+            progress.slowest = (number, seconds);
+        }
         progress.tally.add(number, tally);
     }
     progress.done = next;

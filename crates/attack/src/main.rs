@@ -97,11 +97,13 @@ fn all_cases(chosen: &[Box<dyn Part>], arguments: &Arguments) -> io::Result<bool
         campaign::run(part.as_ref(), cases, &mut state, Some(&file))?;
         let progress = &state.parts[part.name()];
         println!(
-            "{}: {} cases in {:.0} s, seed {}",
+            "{}: {} cases in {:.0} s, seed {}; the slowest, {}, took {:.1} s",
             part.name(),
             progress.done,
             progress.seconds,
-            state.seed
+            state.seed,
+            progress.slowest.0,
+            progress.slowest.1
         );
         print!("{}", progress.tally.lines());
         all &= progress.tally.faults_found() == 0;

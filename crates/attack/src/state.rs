@@ -22,6 +22,9 @@ pub struct Progress {
     pub done: u64,
     /// Seconds spent on them.
     pub seconds: f64,
+    /// The case that took longest, and its seconds: what hardly ends is found by it.
+    #[serde(default)]
+    pub slowest: (u64, f64),
     /// What they gave.
     pub tally: Tally,
 }
