@@ -9,6 +9,7 @@ use std::io::Write;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let sizes = std::env::args().skip(1).map(|size| size.parse()).collect::<Result<Vec<usize>, _>>()?;
     let [order, last] = sizes[..] else { return Err("usage: time_exact N J".into()) };
+    let _ = rayon::ThreadPoolBuilder::new().use_current_thread().build_global(); // as the command does
     let start = std::time::Instant::now();
     let law = ForceLaw::viscoelastic_spheres();
     let trajectories = Trajectories::exact(&law, order, last + 1);
