@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
-"""Draws the rooms of the house from the crates' manifests: `make rooms` puts the picture into docs/architecture.md.
+"""Draws the rooms of the house as cargo sees them: `make rooms` puts the picture into docs/architecture.md.
 
-A floor is one above the highest crate it stands on. An arrow that others imply is left out. `--check` only compares.
+A floor is one above the highest crate it stands on. An arrow that others imply is left out; of the command every dependency is
+written out below, its own and others'. `--check` only compares.
 """
 
+import json
+import os
 import pathlib
-import re
+import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -13,16 +16,26 @@ PAGE = ROOT / "docs/architecture.md"
 START, END = "<!-- rooms: made by scripts/rooms.py -->\n", "<!-- end of rooms -->\n"
 
 
-def rooms():
-    """Each crate, by its folder, with the crates of the workspace that it depends on."""
-    manifests = {path.parent.name: path.read_text(encoding="utf-8") for path in ROOT.glob("crates/*/Cargo.toml")}
-    names = {re.search(r'^name = "(.*)"', text, re.M)[1]: folder for folder, text in manifests.items()}
-    needed = {}
-    for folder, text in manifests.items():
-        section = re.search(r"^\[dependencies\]\n(.*?)(?=^\[|\Z)", text, re.M | re.S)
-        found = re.findall(r"^([\w-]+)[ .=]", section[1] if section else "", re.M)
-        needed[folder] = {names[name] for name in found if name in names}
-    return needed
+def dependencies():
+    """Each crate, by its folder, with what it depends on outside of tests, by name."""
+    cargo = [os.environ.get("CARGO", "cargo"), "metadata", "--no-deps", "--offline", "--format-version=1"]
+    packages = json.loads(subprocess.run(cargo, cwd=ROOT, check=True, capture_output=True).stdout)["packages"]
+    folder = {package["name"]: pathlib.Path(package["manifest_path"]).parent for package in packages}
+    rooms = {name: path.name for name, path in folder.items() if path.parent.name == "crates"}
+    return {
+        rooms[package["name"]]: {
+            rooms.get(needed["name"], needed["name"]): needed["name"] in rooms
+            for needed in package["dependencies"]
+            if needed["kind"] is None
+        }
+        for package in packages
+        if package["name"] in rooms
+    }
+
+
+def rooms(dependencies):
+    """Each crate with the crates of the workspace that it depends on."""
+    return {room: {name for name, ours in needed.items() if ours} for room, needed in dependencies.items()}
 
 
 def floor(room, needed, above=()):
@@ -37,7 +50,8 @@ def reach(room, needed):
 
 
 def picture():
-    needed = rooms()
+    all_needed = dependencies()
+    needed = rooms(all_needed)
     floors = {room: floor(room, needed) for room in needed}
     width = max(map(len, needed))
     lines = []
@@ -47,7 +61,14 @@ def picture():
             shown = sorted(below for below in direct if not any(below in reach(other, needed) for other in direct))
             arrow = f"─► {'  '.join(shown)}" if shown else ""
             lines.append(f"    {level}  {room:{width}}  {arrow}".rstrip())
-    return "\n".join(lines) + "\n"
+    return "\n".join(lines) + "\n\n" + command(all_needed["cli"])
+
+
+def command(needed):
+    """What the command depends on directly."""
+    ours, others = sorted(name for name in needed if needed[name]), sorted(name for name in needed if not needed[name])
+    head = "What `cargo tree -p restitution-cli --depth 1 -e normal` lists, the libraries of the project without `restitution-`:\n\n"
+    return f"{head}    libraries  {'  '.join(ours)}\n    others     {'  '.join(others)}\n"
 
 
 def main():

@@ -141,37 +141,75 @@ fn circles_are_found() {
     assert_eq!(taken("c::d", sources[2].1, &all), BTreeSet::from(["a".to_owned()]));
 }
 
-/// What stands under `[dependencies]` of a crate.
-fn dependencies(folder: &str) -> BTreeSet<String> {
-    let manifest =
-        fs::read_to_string(root().join("crates").join(folder).join("Cargo.toml")).expect("a manifest");
-    let section = manifest.split("\n[dependencies]\n").nth(1).expect("dependencies").split("\n[").next();
-    let name = |line: &str| line.split(['.', ' ', '=']).next().unwrap_or_default().to_owned();
-    section.unwrap_or_default().lines().map(name).filter(|name| !name.is_empty()).collect()
+/// What cargo says that a package depends on directly, outside of tests.
+fn dependencies(package: &str) -> BTreeSet<String> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let arguments =
+        ["tree", "--offline", "--locked", "--target=all", "--depth=1", "--edges=normal", "--prefix=none"];
+    let tree = Command::new(cargo).args(arguments).args(["--package", package]).current_dir(root()).output();
+    let tree = tree.expect("cargo runs");
+    assert!(tree.status.success(), "{}", String::from_utf8_lossy(&tree.stderr));
+    let name = |line: &str| line.split(' ').next().unwrap_or_default().to_owned();
+    let lines = String::from_utf8(tree.stdout).expect("text");
+    lines.lines().skip(1).map(name).filter(|name| !name.is_empty()).collect()
 }
+
+/// The libraries that the command calls. Those of numbers are not among them: `restitution-real` and whatever computes (`rug`, `num-*`, ...) are
+/// for the libraries; an argument's number is `restitution_law::exact`, a result is text.
+const CALLED: [&str; 14] = [
+    "restitution",
+    "restitution-approximate",
+    "restitution-audit",
+    "restitution-closed",
+    "restitution-direct",
+    "restitution-export",
+    "restitution-fit",
+    "restitution-law",
+    "restitution-pade",
+    "restitution-page",
+    "restitution-report",
+    "restitution-series",
+    "restitution-table",
+    "restitution-units",
+];
+
+/// What the command needs of others: arguments, output and the system.
+const OTHERS: [&str; 11] = [
+    "clap",
+    "clap_complete",
+    "clap_mangen",
+    "ctrlc",
+    "indicatif",
+    "rayon",
+    "serde_json",
+    "signal-hook",
+    "sysinfo",
+    "tempfile",
+    "thiserror",
+];
 
 #[test]
 fn the_command_computes_nothing_itself() {
-    // arguments, output and the system; num-* are the exact numbers that arguments are made of
-    const OTHERS: [&str; 13] = [
-        "clap",
-        "clap_complete",
-        "clap_mangen",
-        "ctrlc",
-        "indicatif",
-        "num-rational",
-        "num-traits",
-        "rayon",
-        "serde_json",
-        "sysinfo",
-        "tempfile",
-        "thiserror",
-        "signal-hook",
-    ];
-    let strange = dependencies("cli").into_iter().filter(|name| !name.starts_with("restitution"));
-    let strange = strange.filter(|name| !OTHERS.contains(&name.as_str())).collect::<Vec<_>>();
+    let allowed = CALLED.iter().chain(&OTHERS).map(|name| (*name).to_owned()).collect::<BTreeSet<_>>();
+    let needed = dependencies("restitution-cli");
+    let strange = needed.difference(&allowed).collect::<Vec<_>>();
     assert!(strange.is_empty(), "{strange:?}: whatever needs them is work of a library");
-    assert!(dependencies("approximate").contains("rug"), "dependencies are read");
+    assert!(dependencies("restitution-approximate").contains("rug"), "dependencies are read");
+}
+
+#[test]
+fn the_picture_has_what_cargo_tree_lists_of_the_command() {
+    let page = fs::read_to_string(root().join("docs/architecture.md")).expect("a page");
+    let row = |name: &str| {
+        let line = page.lines().find_map(|line| line.strip_prefix(&format!("    {name} ")));
+        line.expect("a row").split_whitespace().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let libraries = row("libraries").into_iter().map(|name| match name.as_str() {
+        "restitution" => name,
+        _ => format!("restitution-{name}"),
+    });
+    let shown = libraries.chain(row("others")).collect::<BTreeSet<_>>();
+    assert_eq!(shown, dependencies("restitution-cli"));
 }
 
 #[test]
@@ -230,6 +268,62 @@ fn without_example(text: &str) -> Vec<String> {
         }
     }
     found
+}
+
+/// The public methods of the types of a crate that no example in it calls.
+fn methods_without_example(modules: &BTreeMap<String, String>, shown: &BTreeSet<&str>) -> Vec<String> {
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    let example = |text: &String| {
+        let lines = text.lines().map(str::trim_start).filter(|line| line.starts_with("///"));
+        lines.map(str::to_owned).collect::<Vec<_>>().join("\n")
+    };
+    let examples = modules.values().map(example).collect::<Vec<_>>().join("\n");
+    let called = examples.split("```").skip(1).step_by(2).flat_map(|code| {
+        let calls = code.match_indices(['.', ':']).map(|(at, _)| &code[at + 1..]);
+        calls.map(|rest| rest.chars().take_while(|c| is_word(*c)).collect::<String>()).collect::<Vec<_>>()
+    });
+    let called = called.collect::<BTreeSet<_>>();
+    let mut bare = Vec::new();
+    for text in modules.values() {
+        let mut of = "";
+        for line in text.lines() {
+            if line.starts_with("impl") {
+                let name = line.split(" for ").last().unwrap_or_default().trim_start_matches("impl");
+                let name = if name.starts_with('<') {
+                    name.split_once("> ").map_or(name, |parts| parts.1)
+                } else {
+                    name
+                };
+                of = name.trim_start().split(|c: char| !is_word(c)).next().unwrap_or_default();
+            }
+            let method = line.strip_prefix("    pub fn ").or_else(|| line.strip_prefix("    pub const fn "));
+            if let Some(name) =
+                method.map(|rest| rest.split(|c: char| !is_word(c)).next().unwrap_or_default())
+            {
+                bare.extend((shown.contains(of) && !called.contains(name)).then(|| format!("{of}::{name}")));
+            }
+        }
+    }
+    bare
+}
+
+#[test]
+fn every_method_of_the_lower_crates_is_called_in_an_example() {
+    let mut bare = Vec::new();
+    for name in LOWER.iter().filter(|name| **name != "fit") {
+        let folder = root().join("crates").join(name).join("src");
+        let shown = fs::read_to_string(folder.join("lib.rs")).expect("the front page of a crate");
+        let shown = shown.split(|c: char| !c.is_alphanumeric() && c != '_').collect::<BTreeSet<_>>();
+        bare.extend(
+            methods_without_example(&modules(&folder), &shown)
+                .into_iter()
+                .map(|method| format!("{name}: {method}")),
+        );
+    }
+    assert!(bare.is_empty(), "methods without an example:\n{}", bare.join("\n"));
+    let source = "/// ```\n/// Set::new().first()\n/// ```\nimpl<T: Ord> Set<T> {\n    pub fn first() {}\n    pub fn last() {}\n}";
+    let modules = BTreeMap::from([(String::new(), source.to_owned())]);
+    assert_eq!(methods_without_example(&modules, &BTreeSet::from(["Set"])), ["Set::last"]);
 }
 
 #[test]

@@ -42,6 +42,7 @@ const SAMPLE_BITS: u32 = 128;
 /// # Examples
 ///
 /// ```
+/// use num_rational::BigRational;
 /// use restitution_approximate::{ApproximateError, Expansion, Variable};
 /// use restitution_direct::End;
 /// use restitution_law::ForceLaw;
@@ -50,6 +51,15 @@ const SAMPLE_BITS: u32 = 128;
 /// let in_u = Expansion::new(&spheres, End::ZeroCompression, None)?;
 /// let series = in_u.coefficients(3, 80)?;
 /// assert_eq!(series[1].to_digits(10).as_deref(), Some("-1.153448858"));
+/// assert_eq!((in_u.variable().name(), in_u.end()), ("u", End::ZeroCompression));
+///
+/// // eps falls off like u^-5, and eps u^5 tends to R^5
+/// assert_eq!((in_u.decay()?, in_u.saturation(5)?.to_digits(5).as_deref()), (5, Some("5.1584")));
+/// assert!(in_u.at_infinity(2, 80).is_ok() && in_u.reciprocal(&series, 80)?.is_none()); // that needs eleven
+/// let at_zero = in_u.sample(&BigRational::from_integer(0.into()))?; // certified
+/// assert_eq!(at_zero.value.to_digits(3).as_deref(), Some("1.00"));
+/// let at_force = Expansion::new(&spheres, End::ZeroForce, None)?;
+/// assert!(at_force.decay().is_err_and(|error| error.is_request_at_fault())); // like u^(-5/3)
 ///
 /// let no_series = Expansion::new(&spheres, End::ZeroForce, Some(Variable::U));
 /// assert!(matches!(no_series, Err(ApproximateError::NoPowerSeries { .. })));

@@ -2,11 +2,12 @@
 //!
 //! [`Expansion`] is the coefficient as a series in a variable, with its certified values and what is known at infinity; [`judge`]
 //! finds an approximant of it, proves the digits of its constants and says where its poles and zeros are; [`quality`] compares it
-//! with certified values; [`map`] does so for a whole corner of the Padé table, [`recommended`] looks for the cheapest, and
+//! with certified values; [`judge_series`] does it for numbers that are given; [`map`] does so for a whole corner of the Padé table, [`recommended`] looks for the cheapest, and
 //! [`published`] holds printed constants beside what they should be.
 
 mod error;
 mod expansion;
+mod given;
 mod judgement;
 mod map;
 mod published;
@@ -16,6 +17,7 @@ mod shown;
 
 pub use error::ApproximateError;
 pub use expansion::{Expansion, Variable};
+pub use given::{JudgedSeries, judge_series};
 pub use judgement::{
     Constant, GRID, Judged, Request, constants, error_on_range, error_reach, judge, links, shown_places,
 };

@@ -52,6 +52,7 @@ pub struct Term {
 /// let spheres = ForceLaw::viscoelastic_spheres();
 /// let fourth = closed_form(Family::Scaled, &spheres, 4, Reduction::Special)?;
 /// assert_eq!((fourth.name(), fourth.terms.len(), fourth.constants().len()), ("a_4".into(), 2, 2));
+/// assert_eq!((fourth.family.letter(), fourth.constants()[0].symbol()), ("a", "M_3_5".into()));
 ///
 /// let beyond = closed_form(Family::Scaled, &spheres, 13, Reduction::Special);
 /// assert!(matches!(beyond, Err(ClosedError::BeyondAlgebra { .. })));

@@ -8,6 +8,7 @@
 mod algebra;
 mod beta;
 mod closed_form;
+mod coefficients;
 mod error;
 mod iterated;
 mod language;
@@ -18,6 +19,7 @@ mod splitting;
 pub use algebra::Reduction;
 pub use beta::beta;
 pub use closed_form::{Base, ClosedForm, Constant, LARGEST_ORDER, Term, closed_form};
+pub use coefficients::{coefficients, coefficients_memory};
 pub use error::ClosedError;
 pub use iterated::iterated_beta;
 pub use language::Language;

@@ -37,6 +37,8 @@ use std::sync::Mutex;
 /// let epsilon = spheres.epsilon(&BigRational::new(1.into(), 10.into()), 30)?;
 /// assert_eq!(epsilon.to_digits(30).as_deref(), Some("0.892147587290229345269672993933"));
 ///
+/// assert_eq!((spheres.law(), spheres.end()), (&ForceLaw::viscoelastic_spheres(), End::ZeroCompression));
+///
 /// let minus_one = BigRational::from_integer((-1).into());
 /// assert!(matches!(spheres.epsilon(&minus_one, 30), Err(DirectError::Damping { .. })));
 /// # Ok::<(), DirectError>(())
@@ -55,6 +57,16 @@ impl Collision {
     /// # Errors
     ///
     /// [`DirectError::NoZeroForce`] if contact shall end at zero force and `a <= gamma`.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution_direct::{Collision, DirectError, End};
+    ///
+    /// let law = "1,2".parse().expect("a force law");
+    /// assert!(Collision::new(&law, End::ZeroCompression).is_ok());
+    /// assert!(matches!(Collision::new(&law, End::ZeroForce), Err(DirectError::NoZeroForce { .. })));
+    /// ```
     pub fn new(law: &ForceLaw, end: End) -> Result<Self, DirectError> {
         if end == End::ZeroForce && law.a() <= law.gamma() {
             return Err(DirectError::NoZeroForce { law: Box::new(law.clone()) });
@@ -93,6 +105,20 @@ impl Collision {
     /// # Errors
     ///
     /// As [`Collision::epsilon`].
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution_direct::{Collision, DirectError, End};
+    /// use restitution_law::ForceLaw;
+    /// use restitution_real::Ball;
+    ///
+    /// let spheres = Collision::new(&ForceLaw::viscoelastic_spheres(), End::ZeroForce)?;
+    /// let at_root_two = spheres.epsilon_of(|bits| Ball::from_integer(2, bits).sqrt(), 10)?;
+    /// assert_eq!(at_root_two.to_digits(10).as_deref(), Some("0.2966084829"));
+    /// assert!(matches!(spheres.epsilon_of(|bits| -Ball::pi(bits), 10), Err(DirectError::Damping { .. })));
+    /// # Ok::<(), DirectError>(())
+    /// ```
     pub fn epsilon_of(&self, u: impl Fn(u32) -> Ball, digits: usize) -> Result<Ball, DirectError> {
         proved(digits, first_precision(digits), |prec| self.enclose(&u(prec), prec))
     }
@@ -114,6 +140,7 @@ impl Collision {
     /// let tiny = BigRational::new(1.into(), 1_000_000_000_000_i64.into());
     /// let lost = spheres.one_minus_epsilon(&tiny, 12)?;
     /// assert_eq!(lost.to_digits(12).as_deref(), Some("1.15344885809e-12"));
+    /// assert!(spheres.one_minus_epsilon(&-tiny, 12).is_err());
     /// # Ok::<(), restitution_direct::DirectError>(())
     /// ```
     pub fn one_minus_epsilon(&self, u: &BigRational, digits: usize) -> Result<Ball, DirectError> {
@@ -128,7 +155,11 @@ impl Collision {
     /// # Errors
     ///
     /// As [`Collision::epsilon`].
-    pub fn one_minus_epsilon_of(&self, u: impl Fn(u32) -> Ball, digits: usize) -> Result<Ball, DirectError> {
+    pub(crate) fn one_minus_epsilon_of(
+        &self,
+        u: impl Fn(u32) -> Ball,
+        digits: usize,
+    ) -> Result<Ball, DirectError> {
         let small = u(64).mid().get_exp().map_or(0, |e| (-e).max(0).unsigned_abs());
         let first = first_precision(digits).saturating_add(small);
         proved(digits, first, |prec| Ok(Ball::one() - self.enclose(&u(prec), prec)?))

@@ -14,13 +14,18 @@ const GUARD_BITS: u32 = 32;
 ///
 /// ```
 /// use num_rational::BigRational;
-/// use restitution_direct::{Damping, DirectError};
+/// use restitution_direct::{Collision, Damping, DirectError, End};
 /// use restitution_law::ForceLaw;
 ///
 /// let ratio = |n: i64, d: i64| BigRational::new(n.into(), d.into());
 /// let spheres = ForceLaw::viscoelastic_spheres();
 /// let at_g_star = Damping::of_velocity(&ratio(1, 100), &ratio(1, 100), &spheres)?;
 /// assert_eq!(at_g_star.at(100).to_digits(20).as_deref(), Some("0.86696518270547191339")); // 1/|C_1|
+///
+/// let collision = Collision::new(&spheres, End::ZeroCompression)?;
+/// assert_eq!(collision.epsilon_at(&at_g_star, 10)?.to_digits(10).as_deref(), Some("0.3841091979"));
+/// let tenth = Damping::exact(&ratio(1, 10));
+/// assert_eq!(collision.one_minus_epsilon_at(&tenth, 10)?.to_digits(10).as_deref(), Some("0.1078524127"));
 ///
 /// let backwards = Damping::of_velocity(&ratio(-1, 100), &ratio(1, 100), &spheres);
 /// assert_eq!(backwards.unwrap_err(), DirectError::NegativeVelocity);
@@ -81,6 +86,51 @@ pub struct EqualSpheres {
     pub density: BigRational,
     /// The radius of each.
     pub radius: BigRational,
+}
+
+/// What sets the damping of each impact velocity.
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_direct::{DirectError, VelocityScale};
+/// use restitution_law::ForceLaw;
+///
+/// let whole = |n: i64| BigRational::from_integer(n.into());
+/// let law = ForceLaw::viscoelastic_spheres();
+/// let scale = VelocityScale::Characteristic { g_star: whole(2), law: law.clone() };
+/// assert_eq!(scale.damping(&whole(2))?.at(64).to_digits(6).as_deref(), Some("0.866965")); // 1/|C_1|
+///
+/// let nothing = VelocityScale::Characteristic { g_star: whole(0), law };
+/// assert!(matches!(nothing.damping(&whole(2)), Err(DirectError::NotPositive { .. })));
+/// # Ok::<(), DirectError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum VelocityScale {
+    /// The characteristic velocity `g*` of a law, in the unit of the velocities.
+    Characteristic {
+        /// `g*`.
+        g_star: BigRational,
+        /// The force law.
+        law: ForceLaw,
+    },
+    /// The material and the size of two equal spheres; velocities in m/s.
+    EqualSpheres(EqualSpheres),
+}
+
+impl VelocityScale {
+    /// Returns the damping at an impact velocity.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Damping::of_velocity`] and [`Damping::of_equal_spheres`].
+    pub fn damping(&self, g: &BigRational) -> Result<Damping, DirectError> {
+        match self {
+            Self::Characteristic { g_star, law } => Damping::of_velocity(g, g_star, law),
+            Self::EqualSpheres(spheres) => Damping::of_equal_spheres(spheres, g),
+        }
+    }
 }
 
 impl Damping {

@@ -14,7 +14,6 @@ mod envelope;
 mod equation;
 mod error;
 mod exit;
-
 mod fixed;
 mod interpolant;
 mod interpolation;
@@ -35,7 +34,7 @@ mod turning_series;
 mod zero_force;
 
 pub use collision::Collision;
-pub use damping::{Damping, EqualSpheres};
+pub use damping::{Damping, EqualSpheres, VelocityScale};
 pub use error::DirectError;
 pub use interpolant::{Interpolant, Variable};
 /// One word for all crates, from the one that may depend on nothing; nothing else comes from there.

@@ -4,7 +4,9 @@ use crate::design::{Beyond, Request, design};
 use crate::loss::Loss;
 use crate::pieces::{Bound, Pieces};
 use crate::{ExportError, InterpolatedCurve};
+use num_rational::BigRational;
 use restitution::End;
+use restitution_direct::VelocityScale;
 use rug::Float;
 use rug::float::Constant;
 use rug::ops::Pow;
@@ -58,13 +60,14 @@ impl CharacteristicVelocity {
         Ok(Self { metres_per_second, origin })
     }
 
-    /// From `u` at a velocity of 1 m/s, as `u = 0.866… (g/g*)^(1/5)`.
+    /// From the damping at a velocity of 1 m/s, as `u = 0.866… (g/g*)^(1/5)`.
     ///
     /// # Errors
     ///
-    /// [`ExportError::Velocity`] if that is not a positive number that an f64 holds.
-    pub fn from_u(u_at_unit_velocity: &Float, origin: String) -> Result<Self, ExportError> {
-        let ratio = u_at_g_star() / u_at_unit_velocity;
+    /// [`ExportError::Velocity`] if that is not a positive number that an f64 holds, [`ExportError::Direct`] if there is no damping.
+    pub fn of_scale(scale: &VelocityScale, origin: String) -> Result<Self, ExportError> {
+        let damping = scale.damping(&BigRational::from_integer(1.into())).map_err(ExportError::Direct)?;
+        let ratio = u_at_g_star() / damping.at(PREC).mid();
         Self::of(Float::with_val(PREC, ratio.pow(5u32)).to_f64(), origin)
     }
 }

@@ -3,6 +3,7 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
+use std::cmp::Ordering;
 use std::fmt;
 use std::str::FromStr;
 
@@ -43,6 +44,7 @@ pub enum NumberError {
 /// assert_eq!(tenth.value().to_string(), "1/10");
 /// assert_eq!(tenth.to_string(), "0.1");
 /// assert_eq!("-2.5e-3".parse::<Exact>()?.value().to_string(), "-1/400");
+/// assert!(tenth > 0 && tenth < 1);
 ///
 /// assert!(matches!("0,1".parse::<Exact>(), Err(NumberError::NotANumber { .. })));
 /// # Ok::<(), NumberError>(())
@@ -62,6 +64,18 @@ impl Exact {
     /// The f64 nearest to it.
     pub fn to_f64(&self) -> f64 {
         self.value.to_f64().unwrap_or(f64::NAN)
+    }
+}
+
+impl PartialEq<i64> for Exact {
+    fn eq(&self, whole: &i64) -> bool {
+        self.partial_cmp(whole) == Some(Ordering::Equal)
+    }
+}
+
+impl PartialOrd<i64> for Exact {
+    fn partial_cmp(&self, whole: &i64) -> Option<Ordering> {
+        self.value.partial_cmp(&BigRational::from_integer((*whole).into()))
     }
 }
 

@@ -19,6 +19,11 @@ use std::str::FromStr;
 /// let spheres = ForceLaw::viscoelastic_spheres();
 /// assert_eq!(spheres, "3/2,1/2".parse()?);
 /// assert_eq!(spheres.velocity_exponent().to_string(), "1/5"); // u ~ g^(1/5)
+/// assert_eq!(spheres, ForceLaw::new(spheres.a().clone(), spheres.gamma().clone())?);
+/// assert_eq!((spheres.elastic_step().to_string(), spheres.damping_step().to_string()), ("5/2".into(), "3/2".into()));
+/// let lattice = spheres.lattice(); // the same in halves
+/// assert_eq!((lattice.elastic, lattice.damping, lattice.unit), (5, 3, 2));
+/// assert!(spheres.is_viscoelastic());
 ///
 /// assert!(matches!("3/2,-1".parse::<ForceLaw>(), Err(LawError::DampingExponent { .. })));
 /// # Ok::<(), LawError>(())

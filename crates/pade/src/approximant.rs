@@ -42,6 +42,10 @@ impl fmt::Display for Contact {
 /// let series = [1, -1, 1, -1, 1].map(|n| BigRational::from_integer(n.into())); // 1/(1 + x)
 /// let found = approximant(&Rationals, &series, PadeType::new(2, 2))?;
 /// assert_eq!((found.asked().to_string(), found.exact_type().to_string()), ("[2/2]".into(), "[0/1]".into()));
+/// assert_eq!((found.num(), found.den()), (&series[..1], &[series[0].clone(), series[0].clone()][..]));
+/// assert_eq!((found.contact().order(), found.met_at_infinity(), found.deficiency()), (5, 0, 0));
+/// assert_eq!(found.function().value(&series[0])?.to_string(), "1/2");
+/// assert_eq!(found.reciprocal()?.num(), found.den()); // 1 + x, of the reciprocal series
 ///
 /// let longer = approximant(&Rationals, &series, PadeType::new(3, 3));
 /// assert!(matches!(longer, Err(PadeError::NotEnoughCoefficients { needed: 7, known: 5, .. })));

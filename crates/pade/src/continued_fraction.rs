@@ -24,6 +24,27 @@ pub struct Link<N> {
 /// \[LS1939\]; powers above 1 occur exactly where the Padé table has degenerate blocks on its staircase.
 /// With all powers 1 it is the regular C-fraction, whose convergents are the approximants
 /// `[0/0], [1/0], [1/1], [2/1], ...`.
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_pade::{PadeError, PadeType, approximant};
+/// use restitution_real::{Ball, Balls, Rationals};
+///
+/// let series = [(1, 1), (1, 1), (1, 2)].map(|(n, d): (i64, i64)| BigRational::new(n.into(), d.into())); // e^x
+/// let found = approximant(&Rationals, &series, PadeType::new(1, 1))?;
+/// let fraction = found.continued_fraction()?; // 1 + x/(1 - (1/2) x)
+/// let links: Vec<_> = fraction.links.iter().map(|link| (link.coefficient.to_string(), link.power)).collect();
+/// assert_eq!(links, [("1".to_owned(), 1), ("-1/2".to_owned(), 1)]);
+/// assert_eq!(&fraction.to_rational()?, found.function());
+///
+/// let third = Ball::from_ratio(1, 3, 53);
+/// let balls = [third.clone(), &third - &third, third]; // does x come next, or x^2?
+/// let open = approximant(&Balls::new(53), &balls, PadeType::new(2, 0))?.continued_fraction();
+/// assert!(matches!(open, Err(PadeError::Undecided { .. })));
+/// # Ok::<(), PadeError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContinuedFraction<F: Field> {
     field: F,

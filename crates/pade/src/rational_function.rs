@@ -17,6 +17,10 @@ use restitution_real::{Field, OrderedField, ZeroTest};
 /// let f = RationalFunction::new(&Rationals, ints(&[2]), ints(&[2, -2]))?; // 1/(1 - x)
 /// assert_eq!(f.series(4), ints(&[1, 1, 1, 1]));
 /// assert_eq!(f.degrees().to_string(), "[0/1]");
+/// assert_eq!((f.num(), f.den(), f.field()), (&ints(&[1])[..], &ints(&[1, -1])[..], &Rationals));
+/// assert_eq!(f.value(&ints(&[3])[0])?.to_string(), "-1/2");
+/// assert!(matches!(f.value(&ints(&[1])[0]), Err(PadeError::Undecided { .. }))); // a pole
+/// assert!(RationalFunction::new(&Rationals, ints(&[0]), ints(&[1]))?.is_zero());
 ///
 /// assert_eq!(RationalFunction::new(&Rationals, ints(&[1]), ints(&[0, 1])), Err(PadeError::PoleAtZero));
 /// # Ok::<(), PadeError>(())

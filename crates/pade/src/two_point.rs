@@ -10,6 +10,18 @@ use restitution_real::{Field, OrderedField};
 ///
 /// For spheres `eps(u) u^5 -> R^5`, and what is missing falls off faster than any power, so
 /// `b_0 = R^5` and `b_1 = b_2 = ... = 0`.
+///
+/// # Examples
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_pade::AtInfinity;
+/// use restitution_real::Rationals;
+///
+/// let limit = BigRational::new(515_838.into(), 100_000.into()); // R^5, to five digits
+/// let two_conditions = AtInfinity::<Rationals>::new(5, vec![limit, BigRational::from_integer(0.into())]);
+/// assert!(two_conditions != AtInfinity::new(5, Vec::new())); // no condition at all
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct AtInfinity<F: Field> {
     decay: usize,

@@ -97,6 +97,7 @@ impl Verdict {
 /// let good = verdict(&approximant(&Rationals, &geometric, PadeType::new(0, 1))?, &Interval::HalfLine)?; // 1/(1 + x)
 /// assert_eq!((good.poles, good.zeros, good.trend), (0, Some(0), Trend::Decreasing));
 /// assert_eq!(good.bounds, Bounds::Within);
+/// assert!(good.is_sound());
 ///
 /// let bad = verdict(&approximant(&Rationals, &geometric, PadeType::new(1, 0))?, &Interval::HalfLine)?; // 1 - x
 /// assert_eq!(bad.bounds, Bounds::NotPositive);

@@ -3,12 +3,11 @@
 use crate::errors::value;
 use crate::work::{self, Watch};
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive};
 use pyo3::prelude::*;
 use restitution_direct::{Collision, saturation_radius, saturation_speed};
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
-use restitution_series::{DelayedRecovery, Quantity, SeriesError, Trajectories, coefficients_watched};
+use restitution_series::{DelayedRecovery, Quantity, SeriesError, TimeOrder};
 
 /// A value with its proved digits, and how far the true value is from them at most.
 pub type Certified = (String, String);
@@ -50,7 +49,7 @@ pub fn coefficients(
     };
     let law = self::law(law)?;
     let values = work::run(py, Some(order), progress, move |watch: &Watch| {
-        coefficients_watched(family, &law, order, digits, &mut |k| watch.set(k))
+        restitution_closed::coefficients(family, &law, order, digits, &mut |k| watch.set(k))
     })?;
     values.map_err(value)?.iter().map(|ball| certified(ball, digits)).collect()
 }
@@ -83,20 +82,16 @@ fn rows(
     last: &BigRational,
     watch: &Watch,
 ) -> Result<Vec<(usize, BigRational, BigRational)>, SeriesError> {
-    let steps = |step: BigRational| ((last - BigRational::one()) / step).floor().to_integer().to_usize();
-    let terms = steps(law.elastic_step()).map_or(1, |last| last + 1);
-    let orders = steps(law.damping_step()).unwrap_or(0).min(damping_order);
-    let trajectories = Trajectories::exact_watched(law, orders, terms, &|share| {
+    let within = TimeOrder::new(law, last);
+    let trajectories = within.trajectories(damping_order, &|share| {
         watch.set(PERCENT * share.numer() / share.denom());
     });
     let mut rows = Vec::new();
-    for n in 0..=orders {
-        for (j, coefficient) in trajectories.coefficients(n)?.iter().enumerate() {
+    for n in 0..=trajectories.damping_order() {
+        for (j, coefficient) in within.coefficients(&trajectories, n)?.iter().enumerate() {
             let exponent = trajectories.exponent(n, j);
             let exponent = BigRational::new((*exponent.numer()).into(), (*exponent.denom()).into());
-            if exponent <= *last {
-                rows.push((n, exponent, coefficient.clone()));
-            }
+            rows.push((n, exponent, coefficient.clone()));
         }
     }
     Ok(rows)

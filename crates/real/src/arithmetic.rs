@@ -137,6 +137,17 @@ impl One for Ball {
 
 impl Ball {
     /// Returns the ball times `2^power`, exactly (within the exponents of MPFR, about `2^30`).
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution_real::Ball;
+    ///
+    /// let three = Ball::from_integer(-3, 53);
+    /// assert_eq!(three.shifted(-1).abs().to_f64(), 1.5);
+    /// assert_eq!(three.powi(2).shifted(1).to_f64(), 18.0);
+    /// assert!(!Ball::from_integer(0, 53).powi(-1).is_finite());
+    /// ```
     #[must_use]
     pub fn shifted(&self, power: i32) -> Self {
         let exponents = i64::from(exp_min())..=i64::from(exp_max());

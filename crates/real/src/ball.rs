@@ -35,6 +35,29 @@ const CONSTANT_BITS: u32 = 64;
 /// let zero = &third - &third;
 /// assert!(!(one / zero).is_finite());
 /// ```
+///
+/// What a ball says of its number:
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_real::Ball;
+/// use rug::{Float, Integer};
+///
+/// let third = Ball::from_rational(&BigRational::new(1.into(), 3.into()), 100);
+/// assert!(third.lower() < *third.mid() && *third.mid() < third.upper() && *third.rad() < 1e-30);
+/// assert!(third.is_positive() && (-&third).is_negative() && !third.is_exact());
+/// assert_eq!((third.relative_bits(), Ball::from_f64(0.5, 53).relative_bits()), (Some(99), None));
+/// assert_eq!((third.to_f64(), third.with_prec(20).prec()), (1.0 / 3.0, 20));
+///
+/// let around = third.clone().widened(&Float::with_val(32, 0.5)); // -1/6 to 5/6
+/// assert!(around.contains(&third) && around.contains_zero() && around.abs_down() == 0 && around.abs_up() > 0.8);
+/// let two = Ball::from_big_integer(&Integer::from(2), 64);
+/// assert!(!around.overlaps(&two) && around.union(&two).contains(&Ball::exact(Float::with_val(53, 1.5))));
+/// let mut between = Ball::between(&third.upper(), &third.lower(), 100); // in either order
+/// between.widen(&Float::with_val(32, 1));
+/// assert!(between.contains_rational(&BigRational::new(4.into(), 3.into())));
+/// assert!(!Ball::from_f64(f64::NAN, 53).is_finite());
+/// ```
 #[derive(Clone)]
 pub struct Ball {
     pub(crate) mid: Float,

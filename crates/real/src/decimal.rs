@@ -48,6 +48,7 @@ impl Ball {
     /// let third = Ball::from_ratio(1, 3, 64);
     /// let (digits, radius) = third.to_digits_and_radius(10).unwrap();
     /// assert_eq!((digits.as_str(), radius.as_str()), ("0.3333333333", "3.4e-11"));
+    /// assert_eq!(third.radius_text(), "1.4e-20"); // that of the ball itself
     ///
     /// assert_eq!(third.to_digits_and_radius(30), None); // 64 bits prove 19 digits
     /// ```

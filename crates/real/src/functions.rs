@@ -17,6 +17,16 @@ impl Ball {
     /// Returns the square root; the whole line unless the ball is positive or exactly 0.
     ///
     /// `|sqrt(X) - sqrt(x)| <= r/sqrt(x)` for `X >= 0`.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution_real::Ball;
+    ///
+    /// let two = Ball::from_integer(2, 100);
+    /// assert_eq!(two.sqrt().to_digits(20).as_deref(), Some("1.4142135623730950488"));
+    /// assert!(!(-two).sqrt().is_finite());
+    /// ```
     #[must_use]
     pub fn sqrt(&self) -> Self {
         if self.is_exact() && self.mid.is_zero() {
@@ -36,6 +46,16 @@ impl Ball {
     /// Returns `e^x`.
     ///
     /// `|e^X - e^x| <= e^x (e^r - 1)`.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution_real::Ball;
+    ///
+    /// let pi = Ball::pi(100);
+    /// assert_eq!(pi.exp().ln().to_digits(20), pi.to_digits(20));
+    /// assert!(!Ball::whole_line(100).exp().is_finite());
+    /// ```
     #[must_use]
     pub fn exp(&self) -> Self {
         let (mid, direction) = Float::with_val_round(self.prec(), self.mid.exp_ref(), Round::Nearest);
@@ -53,6 +73,16 @@ impl Ball {
     /// Returns the natural logarithm; the whole line unless the ball is positive.
     ///
     /// `|ln X - ln x| <= ln(1 + r/(x - r))`.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use restitution_real::Ball;
+    ///
+    /// let two = Ball::from_integer(2, 100);
+    /// assert_eq!(two.ln().to_digits(10).as_deref(), Some("0.6931471806"));
+    /// assert!(!Ball::from_integer(0, 100).ln().is_finite());
+    /// ```
     #[must_use]
     pub fn ln(&self) -> Self {
         if !self.is_positive() {
@@ -68,6 +98,19 @@ impl Ball {
 
     /// Returns `x^q` for a rational exponent: by multiplication if `q` is an integer, by roots if it
     /// is a half, else as `exp(q ln x)`, which needs `x > 0`.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use num_rational::BigRational;
+    /// use restitution_real::Ball;
+    ///
+    /// let exponent = |n: i64, d: i64| BigRational::new(n.into(), d.into());
+    /// let x = Ball::from_integer(32, 100);
+    /// assert_eq!(x.pow(&exponent(2, 5)).to_digits(5).as_deref(), Some("4.0000"));
+    /// assert!(x.fifth_root().contains(&Ball::from_integer(2, 100)) && x.powi(-1).is_exact());
+    /// assert!((-x).pow(&exponent(2, 1)).is_positive() && !Ball::from_integer(-32, 100).fifth_root().is_finite());
+    /// ```
     #[must_use]
     pub fn pow(&self, exponent: &BigRational) -> Self {
         if exponent.is_integer()
@@ -92,6 +135,19 @@ impl Ball {
     /// Returns the gamma function of a positive ball; the whole line elsewhere.
     ///
     /// Gamma is convex on the positive axis, so `|Gamma'| = |Gamma psi|` is largest at an end.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use num_rational::BigRational;
+    /// use restitution_real::Ball;
+    ///
+    /// assert!(Ball::from_integer(5, 100).gamma().contains(&Ball::from_integer(24, 100)));
+    /// assert!(!Ball::from_integer(0, 100).gamma().is_finite());
+    ///
+    /// let half = BigRational::new(1.into(), 2.into());
+    /// assert_eq!(Ball::beta(&half, &half, 100).to_digits(20), Ball::pi(100).to_digits(20));
+    /// ```
     #[must_use]
     pub fn gamma(&self) -> Self {
         if !self.is_positive() {

@@ -17,6 +17,9 @@ use std::ops::{Add, Mul};
 /// let third = Magnitude::of(&Ball::from_ratio(-1, 3, 64));
 /// assert!(third.to_float() > 0.3333333333333333 && third.to_float() < 0.333333334);
 ///
+/// let powers = Magnitude::exact(0.5).powers(3);
+/// assert!(powers[0].to_f64() == 1.0 && powers[2].to_f64() >= 0.25);
+///
 /// let unknown = Magnitude::of(&Ball::whole_line(64));
 /// assert!(!(third + unknown).is_finite());
 /// ```

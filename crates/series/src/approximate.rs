@@ -30,6 +30,9 @@ use rug::Float;
 /// let one = Ball::from_integer(1, 100);
 /// assert_eq!(theory.restitution(&one).to_digits(12).as_deref(), Some("0.412320197142"));
 ///
+/// assert_eq!((theory.exponent().to_string(), theory.coefficient(2).to_string()), ("3/5".into(), "3/5".into()));
+/// assert_eq!(theory.continued_fraction(&one, 60).to_digits(12).as_deref(), Some("0.412320197142"));
+///
 /// // The theory knows no collision that gains energy.
 /// assert!(!theory.restitution(&-one).is_finite());
 /// ```

@@ -41,6 +41,7 @@ impl DelayedRecovery {
     /// let end = DelayedRecovery::new(&ForceLaw::viscoelastic_spheres())?;
     /// let psi: Vec<String> = end.psi(3).iter().map(ToString::to_string).collect();
     /// assert_eq!(psi, ["1", "4/15", "13/150", "4897/160875"]);
+    /// assert_eq!(end.damping_exponent().to_string(), "5/2");
     ///
     /// let law = "1,2".parse().expect("a force law");
     /// assert!(matches!(DelayedRecovery::new(&law), Err(SeriesError::NoZeroForceEnd { .. })));

@@ -10,12 +10,6 @@ pub enum SeriesError {
         /// The operation that was asked for.
         operation: &'static str,
     },
-    /// The composition needs an inner series without constant term.
-    #[error("a series can only be composed with one whose constant term is exactly zero")]
-    InnerConstantTerm,
-    /// The reversion needs a series that begins with a multiple of `t`.
-    #[error("only a series that begins with a nonzero multiple of t can be reversed")]
-    NotReversible,
     /// The leading coefficient has no rational power of this exponent.
     #[error("the coefficient {coefficient} has no rational power {exponent}")]
     NoPower {

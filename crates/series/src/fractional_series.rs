@@ -29,6 +29,27 @@ use rug::Integer;
 /// assert!(matches!(t.recip(), Err(SeriesError::ZeroConstantTerm { .. })));
 /// # Ok::<(), SeriesError>(())
 /// ```
+///
+/// Every operation keeps track of what is known:
+///
+/// ```
+/// use num_rational::BigRational;
+/// use restitution_series::{FractionalSeries, SeriesError};
+///
+/// let s = FractionalSeries::from_integers(2, &[0, 0, 1, 2]); // t + 2 t^(3/2) + O(t^2)
+/// assert_eq!((s.unit(), s.order(), s.valuation(), s.exponent(3).to_string()), (2, 4, 2, "3/2".into()));
+/// assert_eq!(s.multiply(&s)?.to_string(), "t^2 + 4 t^(5/2) + O(t^3)");
+/// assert_eq!(s.power(&BigRational::new(1.into(), 2.into()))?.to_string(), "t^(1/2) + t + O(t^(3/2))");
+/// assert_eq!(s.derivative()?.to_string(), "1 + 3 t^(1/2) + O(t)");
+/// assert_eq!(s.derivative()?.integral().subtract(&s)?.valuation(), 4); // nothing but O(t^2)
+/// assert_eq!(s.scaled(1, 2).truncated(3).to_string(), "1/2 t + O(t^(3/2))");
+///
+/// assert!(matches!(s.coefficient(4), Err(SeriesError::BeyondTruncation { .. }))); // unknown, not zero
+/// let root = FractionalSeries::from_integers(2, &[0, 1]);
+/// assert!(matches!(root.derivative(), Err(SeriesError::NegativeExponent { .. })));
+/// assert!(matches!(s.add(&FractionalSeries::from_integers(3, &[1])), Err(SeriesError::DifferentSteps { .. })));
+/// # Ok::<(), SeriesError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct FractionalSeries {
     unit: i64,
@@ -211,85 +232,6 @@ impl FractionalSeries {
         let f: Vec<BigRational> = self.coefficients[low..].iter().map(|c| c / lead).collect();
         let power = unit_power(&f, small).into_iter().map(|c| c * &factor).collect();
         Ok(Self::shifted(self.unit, power, shift))
-    }
-
-    /// Returns the composition `s(inner(t))` for an inner series without constant term.
-    ///
-    /// Known to the least of what the cut-off tails of both can reach. Cost: one product for each
-    /// coefficient of `s` (Horner's scheme).
-    ///
-    /// # Errors
-    ///
-    /// [`SeriesError::InnerConstantTerm`] if the inner series does not vanish at 0, and what
-    /// [`FractionalSeries::power`] says where `s` has fractional powers.
-    pub fn compose(&self, inner: &Self) -> Result<Self, SeriesError> {
-        let low = inner.valuation();
-        if low == 0 || inner.order() == 0 {
-            return Err(SeriesError::InnerConstantTerm);
-        }
-        let stride = self.stride();
-        let step = inner.power(&BigRational::new(stride.into(), self.unit.into()))?;
-        // The unknown tail of s begins with inner^(order/unit), the unknown tail of inner enters with the
-        // first power that occurs.
-        let steps = self.order().div_ceil(stride);
-        let order = (step.valuation() * steps).min(step.order());
-        let padded = |v: &[BigRational]| {
-            v.iter().cloned().chain(std::iter::repeat_with(BigRational::zero)).take(order).collect::<Vec<_>>()
-        };
-        let step = padded(&step.coefficients);
-        let mut sum = vec![BigRational::zero(); order];
-        for k in (0..steps).rev() {
-            sum = product(&sum, &step, order);
-            if let (Some(constant), Some(c)) = (sum.first_mut(), self.coefficients.get(k * stride)) {
-                *constant += c;
-            }
-        }
-        Ok(Self::new(inner.unit, sum))
-    }
-
-    /// Returns the inverse function `g` with `s(g(t)) = t`, for `s = c t + ...`, `c != 0`.
-    ///
-    /// With `z = t^(1/m)` the step of `s = c t phi(z)`, Lagrange's formula gives
-    ///
-    /// ```text
-    /// [z^k] g(c t) = (m/k) [z^(k-m)] phi^(-k/m)
-    /// ```
-    ///
-    /// Known to the order of `s`. Cost: one product for each coefficient.
-    ///
-    /// # Errors
-    ///
-    /// [`SeriesError::NotReversible`] unless `s` begins with a nonzero multiple of `t`,
-    /// [`SeriesError::NoPower`] if `c` lacks a root that a fractional power needs.
-    pub fn reverse(&self) -> Result<Self, SeriesError> {
-        let unit = as_usize(self.unit);
-        let lead = self.coefficients.get(unit).filter(|c| !c.is_zero());
-        let lead = lead.filter(|_| self.valuation() == unit).ok_or(SeriesError::NotReversible)?;
-        let stride = self.stride();
-        let m = unit / stride;
-        let phi: Vec<BigRational> =
-            self.coefficients[unit..].iter().step_by(stride).map(|c| c / lead).collect();
-        let len = phi.len();
-        let root = unit_power(&phi, (-1, as_i64(m)));
-        let mut power = unit_power(&phi, (-1, 1));
-        let mut out = vec![BigRational::zero(); self.order()];
-        for k in m..m + len {
-            let scale = BigRational::new((-as_i64(k)).into(), m.into());
-            let c = &power[k - m] * fraction(as_i64(m), as_i64(k));
-            if !c.is_zero() {
-                let no_power =
-                    || SeriesError::NoPower { coefficient: lead.to_string(), exponent: scale.to_string() };
-                out[k * stride] = c * Rationals.power(lead, &scale).ok_or_else(no_power)?;
-            }
-            power = product(&power, &root, len);
-        }
-        Ok(Self::new(self.unit, out))
-    }
-
-    /// The largest step that divides `unit` and every index with a coefficient other than zero.
-    fn stride(&self) -> usize {
-        let indices = self.coefficients.iter().enumerate().filter(|(_, c)| !c.is_zero());
-        indices.fold(as_usize(self.unit), |stride, (k, _)| num_integer::gcd(stride, k))
     }
 
     fn same_unit(&self, other: &Self) -> Result<(), SeriesError> {

@@ -1,7 +1,9 @@
 use crate::{FractionalSeries, SeriesError, Trajectories};
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, ToPrimitive};
+use rayon::prelude::*;
 use restitution_law::ForceLaw;
+use restitution_real::convert::fraction;
 
 /// A largest power of time, `t^P`, and what of the trajectories lies within.
 ///
@@ -18,8 +20,11 @@ use restitution_law::ForceLaw;
 /// let up_to = TimeOrder::new(&ForceLaw::viscoelastic_spheres(), &power);
 /// assert_eq!((up_to.terms(), up_to.damping_order(9)), (3, 4)); // t, t^(7/2), t^6; x_4 begins with t^7
 /// let trajectories = up_to.trajectories(1, &|_| ());
-/// assert_eq!(up_to.coefficients(&trajectories, 1)?.len(), 2); // t^(5/2), t^5
+/// assert_eq!(up_to.fractions(&trajectories, 1)?, ["-4/15", "3/70"]); // of t^(5/2), t^5
 /// assert_eq!(up_to.series(&trajectories, 1)?.to_string(), "-4/15 t^(5/2) + 3/70 t^5 + O(t^(15/2))");
+///
+/// assert_eq!(up_to.coefficients(&trajectories, 1)?.len(), 2);
+/// assert!(up_to.memory_estimate(9) + up_to.series_memory_estimate() < 1e5); // bytes
 ///
 /// assert!(matches!(up_to.series(&trajectories, 2), Err(SeriesError::BeyondDampingOrder { .. })));
 /// # Ok::<(), SeriesError>(())
@@ -66,6 +71,15 @@ impl TimeOrder {
         n: usize,
     ) -> Result<&'a [BigRational], SeriesError> {
         Ok(&trajectories.coefficients(n)?[..self.within(trajectories, n)])
+    }
+
+    /// The coefficients of `x_n` that lie within, as fractions; the processors share the work.
+    ///
+    /// # Errors
+    ///
+    /// [`SeriesError::BeyondDampingOrder`] if order `n` was not computed.
+    pub fn fractions(&self, trajectories: &Trajectories, n: usize) -> Result<Vec<String>, SeriesError> {
+        Ok(self.coefficients(trajectories, n)?.par_iter().map(fraction).collect())
     }
 
     /// `x_n` up to this power, with the first power that lies beyond.

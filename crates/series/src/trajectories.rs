@@ -21,9 +21,12 @@ use restitution_law::ForceLaw;
 /// use restitution_series::{SeriesError, Trajectories};
 ///
 /// let law = ForceLaw::viscoelastic_spheres();
-/// let trajectories = Trajectories::exact(&law, 1, 3);
+/// let trajectories = Trajectories::exact_watched(&law, 1, 3, &|_| ()); // as `exact`, telling the share that is done
 /// assert_eq!(trajectories.order_n(0)?.to_string(), "t - 4/35 t^(7/2) + 1/175 t^6 + O(t^(17/2))");
 /// assert_eq!(trajectories.order_n(1)?.to_string(), "-4/15 t^(5/2) + 3/70 t^5 - 713/238875 t^(15/2) + O(t^10)");
+/// assert_eq!(trajectories.coefficients(1)?[2].to_string(), "-713/238875"); // q_(1,2), of t to the power
+/// assert_eq!(trajectories.exponent(1, 2).to_string(), "15/2");
+/// assert_eq!((trajectories.law(), trajectories.damping_order(), trajectories.terms()), (&law, 1, 3));
 /// assert!(matches!(trajectories.order_n(2), Err(SeriesError::BeyondDampingOrder { .. })));
 /// # Ok::<(), SeriesError>(())
 /// ```

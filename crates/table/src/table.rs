@@ -9,6 +9,7 @@
 ///
 /// assert_eq!(Cell::digits("0.10").plain(), "0.10"); // every digit counts
 /// assert_eq!(Cell::Float(0.10).plain(), "0.1");
+/// assert_eq!(Cell::decimals(0.126, 2).plain(), "0.13");
 /// assert_eq!(Cell::Empty.plain(), "");
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -132,6 +133,9 @@ impl From<&str> for Cell {
 ///
 /// let mut table = Table::new(&["k", "value"]).titled("Coefficients");
 /// table.push(vec![1_usize.into(), Cell::digits("-1.15")]);
+/// table.note("every digit is proved");
+/// table.said("law", "force law", Cell::text("3/2,1/2"));
+/// assert_eq!((table.columns().len(), table.rows().len()), (2, 1));
 /// assert_eq!(table.render(Format::Csv), "k,value\n1,-1.15\n");
 /// ```
 #[derive(Clone, Debug, PartialEq)]

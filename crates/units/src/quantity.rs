@@ -2,8 +2,9 @@
 
 use crate::{Dimension, dimension_of, size};
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive};
+use num_traits::{One, ToPrimitive, Zero};
 use restitution_law::exact::{Exact, NumberError};
+use std::cmp::Ordering;
 use std::fmt;
 
 /// Why a text is not the quantity that was asked for.
@@ -51,7 +52,10 @@ pub enum UnitError {
 /// let g = Quantity::parse("0.32cm/s", Dimension::Velocity)?;
 /// assert_eq!(g.si().to_string(), "2/625");
 /// assert_eq!(g.to_string(), "0.32cm/s");
+/// assert!(g.sign().is_gt());
+/// assert_eq!((g.to_f64(), g.unit_size(), g.unit()), (0.0032, 0.01, Some("cm/s")));
 ///
+/// assert_eq!(Dimension::Velocity.examples()[0], Dimension::Velocity.si());
 /// let wrong = Quantity::parse("5mm", Dimension::Velocity);
 /// assert!(matches!(wrong, Err(UnitError::WrongDimension { .. })));
 /// # Ok::<(), UnitError>(())
@@ -88,6 +92,11 @@ impl Quantity {
     /// The value in SI units.
     pub fn si(&self) -> &BigRational {
         &self.si
+    }
+
+    /// How the value compares with 0, however small it is.
+    pub fn sign(&self) -> Ordering {
+        self.si.cmp(&BigRational::zero())
     }
 
     /// The f64 nearest to the value in SI units.

@@ -3,7 +3,7 @@
 use crate::args::{self, LawArgs};
 use crate::output::TargetArgs;
 use crate::{CliError, memory, progress};
-use restitution_closed::{ClosedForm, Constant, Family, Language, Reduction, closed_form};
+use restitution_closed::{ClosedForm, Constant, Family, LARGEST_ORDER, Language, Reduction, closed_form};
 use serde_json::{Value, json};
 
 /// What the python form needs to evaluate iterated Beta integrals.
@@ -14,8 +14,8 @@ const SPARE_DIGITS: usize = 20;
 /// Arguments of `restitution closed-form`.
 #[derive(Debug, clap::Args)]
 pub struct ClosedFormArgs {
-    /// The index k of the coefficient
-    #[arg(long, value_name = "K", value_parser = args::order)]
+    /// The index k of the coefficient, up to u^12: from 1 to 12 for C and a, to 25 for h of spheres, which counts powers of sqrt(u)
+    #[arg(long, value_name = "K", value_parser = order)]
     order: usize,
     /// Which coefficient: C of eps = 1 + C_1 u + ..., a of eps = 1 - a_1 s + ..., h of the zero-force end
     #[arg(long, value_enum, value_name = "QUANTITY", default_value = "a")]
@@ -70,6 +70,16 @@ enum Form {
     Json,
     Python,
     Sympy,
+}
+
+/// Reads an index; which is the largest depends on the quantity and the law.
+fn order(text: &str) -> Result<usize, String> {
+    args::order(text).map_err(|_| {
+        format!(
+            "an order is a whole number: give one from 1 to {LARGEST_ORDER} for C and a, to {} for h of spheres (up to u^{LARGEST_ORDER})",
+            2 * LARGEST_ORDER + 1
+        )
+    })
 }
 
 impl ClosedFormArgs {

@@ -12,11 +12,11 @@ use crate::units::{self, Quantity};
 use crate::{Cell, CliError, OutputArgs, Table};
 pub(super) use damping::DampingArgs;
 use lookup::in_si;
-use num_traits::Signed;
 use rayon::prelude::*;
 use refusals::Refusals;
-use restitution_direct::{Collision, Damping, DirectError, End, saturation_radius, saturation_speed};
-use restitution_real::Ball;
+use restitution_direct::{
+    Collision, Damping, DirectError, End, VelocityScale, saturation_radius, saturation_speed,
+};
 use restitution_table::Format;
 
 /// The largest number of digits that is accepted: 1000 take minutes.
@@ -111,9 +111,10 @@ impl EpsilonArgs {
         units::all_or_none(&list::flat(&self.velocity)).map_err(CliError::usage)?;
         let end = End::from(self.end.end);
         let collision = Collision::new(&self.law.law, end).map_err(usage)?;
-        let points = self.points()?;
+        let scale = if self.velocity.is_empty() { None } else { Some(self.damping.scale(&self.law.law)?) };
+        let points = self.points(scale.as_ref())?;
         let progress = Progress::steps("collisions", points.len() as u64);
-        let values: Vec<Result<Ball, DirectError>> = points
+        let values: Vec<Result<Option<String>, DirectError>> = points
             .par_iter()
             .map(|(_, damping)| {
                 let value = self.value(&collision, damping);
@@ -135,7 +136,7 @@ impl EpsilonArgs {
             let shown = name.clone();
             let name = if lookup { in_si(&name)? } else { name };
             let cell = match value {
-                Ok(ball) => Cell::Digits(self.shown(&ball)?),
+                Ok(shown) => Cell::Digits(self.proved(shown)?),
                 Err(error) => {
                     refusals.add(&shown, error);
                     Cell::Empty
@@ -144,8 +145,8 @@ impl EpsilonArgs {
             table.push(vec![Cell::Digits(name), cell]);
         }
         table.note("every digit is proved: direct integration with bounded remainders");
-        if lookup {
-            table.note(self.interpolation(&collision)?);
+        if let (true, Some(scale)) = (lookup, &scale) {
+            table.note(self.interpolation(&collision, scale)?);
         }
         self.answer(&table, &refusals, first)
     }
@@ -164,25 +165,27 @@ impl EpsilonArgs {
     }
 
     /// What was asked for, as typed and as a damping to any precision.
-    fn points(&self) -> Result<Vec<(String, Damping)>, CliError> {
-        if self.velocity.is_empty() {
+    fn points(&self, scale: Option<&VelocityScale>) -> Result<Vec<(String, Damping)>, CliError> {
+        let Some(scale) = scale else {
             let exact = |u: &Exact| (u.to_string(), Damping::exact(u.value()));
             return Ok(list::flat(&self.u).iter().map(exact).collect());
-        }
+        };
         let from = |g: &Quantity| {
-            if g.si().is_negative() {
+            if g.sign().is_lt() {
                 return Err(CliError::usage(format!("the impact velocity {g} is negative: give its size")));
             }
-            Ok((g.to_string(), self.damping.at(g.si(), &self.law.law)?))
+            Ok((g.to_string(), scale.damping(g.si()).map_err(CliError::usage)?))
         };
         list::flat(&self.velocity).iter().map(from).collect()
     }
 
-    fn value(&self, collision: &Collision, damping: &Damping) -> Result<Ball, DirectError> {
-        match self.quantity {
+    /// The proved digits; `None` if they are fewer than was asked for.
+    fn value(&self, collision: &Collision, damping: &Damping) -> Result<Option<String>, DirectError> {
+        let value = match self.quantity {
             Printed::Epsilon => collision.epsilon_at(damping, self.digits),
             Printed::Loss => collision.one_minus_epsilon_at(damping, self.digits),
-        }
+        };
+        Ok(value?.to_digits(self.digits))
     }
 
     fn saturated(&self) -> Result<Table, CliError> {
@@ -191,18 +194,18 @@ impl EpsilonArgs {
         let mut table = Table::new(&["quantity", "value"]).titled(format!("Force law {law}"));
         let radius = saturation_radius(law, self.digits).map_err(usage)?;
         let speed = saturation_speed(law, self.digits).map_err(usage)?;
-        table.push(vec![Cell::text("R"), Cell::Digits(self.shown(&radius)?)]);
+        table.push(vec![Cell::text("R"), Cell::Digits(self.proved(radius.to_digits(self.digits))?)]);
         let power = law.velocity_exponent().recip();
         let name = if power.is_integer() { format!("R^{power}") } else { format!("R^({power})") };
-        table.push(vec![Cell::text(name), Cell::Digits(self.shown(&speed)?)]);
+        table.push(vec![Cell::text(name), Cell::Digits(self.proved(speed.to_digits(self.digits))?)]);
         table.note(format!("epsilon u^{power} -> R^{power} at unlimited velocity"));
         Ok(table)
     }
 
-    fn shown(&self, ball: &Ball) -> Result<String, CliError> {
+    fn proved(&self, digits: Option<String>) -> Result<String, CliError> {
         let unproved =
             || CliError::failure(format!("{} digits could not be proved: ask for fewer", self.digits));
-        ball.to_digits(self.digits).ok_or_else(unproved)
+        digits.ok_or_else(unproved)
     }
 }
 

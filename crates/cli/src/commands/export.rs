@@ -6,7 +6,6 @@ use crate::commands::epsilon::DampingArgs;
 use crate::output::TargetArgs;
 use crate::progress;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use num_rational::BigRational;
 use restitution::End;
 use restitution_export::{
     Beyond, CharacteristicVelocity, ExportError, InterpolatedCurve, LANGUAGES, Language, Listing, Request,
@@ -116,11 +115,8 @@ impl ExportArgs {
         if !self.damping.given() {
             return Ok(None);
         }
-        let unit_velocity = BigRational::from_integer(1.into());
-        let damping = self.damping.at(&unit_velocity, &ForceLaw::viscoelastic_spheres())?;
-        let u_at_unit_velocity = damping.at(128).mid().clone();
-        let velocity = CharacteristicVelocity::from_u(&u_at_unit_velocity, self.damping.to_string())?;
-        Ok(Some(velocity))
+        let scale = self.damping.scale(&ForceLaw::viscoelastic_spheres())?;
+        Ok(Some(CharacteristicVelocity::of_scale(&scale, self.damping.to_string())?))
     }
 
     fn source(

@@ -11,7 +11,6 @@ use crate::exact::Exact;
 use crate::progress::Progress;
 use crate::{Cell, CliError, OutputArgs, Table, args};
 use judgement::report;
-use num_rational::BigRational;
 use restitution_approximate::{Expansion, Judged, Request, Variable, constants, judge, links};
 use restitution_direct::End;
 use restitution_pade::PadeType;
@@ -93,7 +92,7 @@ enum Form {
 
 /// A range of `u`.
 #[derive(Clone, Debug)]
-struct Range(BigRational, BigRational);
+struct Range(Exact, Exact);
 
 fn degree(text: &str) -> Result<usize, String> {
     count(text, "a degree", 0, LARGEST_DEGREE)
@@ -114,9 +113,8 @@ fn range(text: &str) -> Result<Range, String> {
     let (low, high) =
         text.split_once(',').ok_or("a range is two numbers: write it as LOW,HIGH such as 0,2")?;
     let read = |text: &str| text.parse::<Exact>().map_err(|error| error.to_string());
-    let (low, high) = (read(low)?.value().clone(), read(high)?.value().clone());
-    let limit = BigRational::from_integer(FARTHEST.into());
-    if low < BigRational::from_integer(0.into()) || low >= high || high > limit {
+    let (low, high) = (read(low)?, read(high)?);
+    if low < 0 || low.value() >= high.value() || high > FARTHEST {
         return Err(format!(
             "the range '{text}' is empty or not between 0 and {FARTHEST}: give 0 <= LOW < HIGH such as 0,2"
         ));
@@ -173,7 +171,7 @@ impl PadeArgs {
             asked,
             at_infinity: self.at_infinity.unwrap_or(0),
             digits: self.digits,
-            range: (self.range.0.clone(), self.range.1.clone()),
+            range: (self.range.0.value().clone(), self.range.1.value().clone()),
             level: self.error.value().clone(),
         }
     }

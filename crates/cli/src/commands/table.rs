@@ -1,14 +1,12 @@
 //! `restitution table`: expansion coefficients with proved digits.
 
 use crate::args::{self, EndOfContact, LawArgs};
-use crate::progress::{self, Progress};
+use crate::progress::Progress;
 use crate::{Cell, CliError, OutputArgs, Table, memory};
-use num_rational::BigRational;
 use rayon::prelude::*;
-use restitution_closed::{Family, low_orders};
+use restitution_closed::{coefficients, coefficients_memory};
 use restitution_law::ForceLaw;
-use restitution_real::Ball;
-use restitution_series::{DelayedRecovery, coefficients_watched};
+use restitution_series::DelayedRecovery;
 
 /// Arguments of `restitution table`.
 #[derive(Debug, clap::Args)]
@@ -90,19 +88,8 @@ impl Quantity {
         usize::from(matches!(self, Self::C | Self::A))
     }
 
-    /// The family of closed forms if they reach up to `order`: then they are the faster way, at any number of digits.
-    fn in_closed_form(self, law: &ForceLaw, order: usize) -> Result<Option<Family>, CliError> {
-        let family = match self {
-            Self::C => Family::Restitution,
-            Self::A => Family::Scaled,
-            Self::H => Family::DelayedRecovery,
-            Self::Y | Self::Psi => return Ok(None),
-        };
-        Ok((order <= family.largest_index(law)?).then_some(family))
-    }
-
-    /// The family in the engine; `None` for what is exact.
-    fn in_series(self) -> Option<restitution_series::Quantity> {
+    /// What the libraries call it; `None` for what is exact.
+    fn inexact(self) -> Option<restitution_series::Quantity> {
         match self {
             Self::C => Some(restitution_series::Quantity::Restitution),
             Self::A => Some(restitution_series::Quantity::ScaledRestitution),
@@ -161,48 +148,33 @@ impl TableArgs {
 
     /// Bytes at the peak of the hungriest quantity.
     fn memory_estimate(&self, quantities: &[Quantity]) -> Result<f64, CliError> {
+        let (law, order, digits) = (&self.law.law, self.order, self.digits);
         let mut most = 0.0_f64;
-        for &quantity in quantities {
-            let closed = quantity.in_closed_form(&self.law.law, self.order)?.is_some();
-            let bytes = if closed {
-                restitution_closed::memory_estimate(self.digits)
-            } else {
-                restitution_series::memory_estimate(&self.law.law, self.order, self.digits)
+        for quantity in quantities {
+            let bytes = match quantity.inexact() {
+                Some(inexact) => coefficients_memory(inexact, law, order, digits)?,
+                None => restitution_series::memory_estimate(law, order, digits),
             };
             most = most.max(bytes);
         }
         Ok(most)
     }
 
-    /// Rows of order, value and radius.
+    /// Rows of order, value and radius; conversions to decimals share the processors.
     fn rows(&self, quantity: Quantity) -> Result<Vec<[Cell; 3]>, CliError> {
-        if let Some(family) = quantity.in_closed_form(&self.law.law, self.order)? {
-            return self.rows_in_closed_form(quantity, family);
-        }
-        let Some(family) = quantity.in_series() else {
-            let psi = DelayedRecovery::new(&self.law.law)?.psi(self.order);
-            let exact = |(k, value): (usize, &BigRational)| [k.into(), Cell::digits(value), Cell::digits(0)];
-            return Ok(psi.iter().enumerate().map(exact).collect());
+        let law = &self.law.law;
+        let Some(inexact) = quantity.inexact() else {
+            let psi = DelayedRecovery::new(law)?.psi(self.order);
+            let exact = psi.iter().map(|value| [Cell::digits(value), Cell::digits(0)]);
+            return Ok(exact.enumerate().map(|(k, [value, radius])| [k.into(), value, radius]).collect());
         };
         let progress = Progress::steps(&format!("{}_k", quantity.letter()), self.order as u64);
         let watch = &mut |k: usize| progress.set(k as u64);
-        let values = coefficients_watched(family, &self.law.law, self.order, self.digits, watch)?;
-        let row = |(k, value): (usize, &Ball)| {
-            let (shown, radius) =
-                value.to_digits_and_radius(self.digits).ok_or_else(|| unproved(self.digits))?;
-            Ok([k.into(), Cell::Digits(shown), Cell::Digits(radius)])
-        };
-        values.iter().enumerate().skip(quantity.first()).map(row).collect()
-    }
-
-    /// As [`Self::rows`], from Beta values; conversions to decimals share the processors.
-    fn rows_in_closed_form(&self, quantity: Quantity, family: Family) -> Result<Vec<[Cell; 3]>, CliError> {
-        let label = format!("{}_k", quantity.letter());
-        let shown = progress::during(&label, || {
-            let values = low_orders(family, &self.law.law, self.order, self.digits)?;
-            let shown = values.par_iter().map(|value| value.to_digits_and_radius(self.digits));
-            shown.collect::<Option<Vec<_>>>().ok_or_else(|| unproved(self.digits))
-        })?;
+        let values = coefficients(inexact, law, self.order, self.digits, watch)?;
+        let shown = values.par_iter().map(|value| value.to_digits_and_radius(self.digits));
+        let unproved =
+            || CliError::failure(format!("{} digits could not be proved: ask for fewer", self.digits));
+        let shown = shown.collect::<Option<Vec<_>>>().ok_or_else(unproved)?;
         let row = |(k, (value, radius))| [usize::into(k), Cell::Digits(value), Cell::Digits(radius)];
         Ok(shown.into_iter().enumerate().skip(quantity.first()).map(row).collect())
     }
@@ -213,8 +185,4 @@ fn title(law: &ForceLaw) -> String {
         return "Viscoelastic spheres, x'' + u sqrt(x) x' + x^(3/2) = 0".to_owned();
     }
     format!("Force law x'' + u x^({}) x' + x^({}) = 0", law.gamma(), law.a())
-}
-
-fn unproved(digits: usize) -> CliError {
-    CliError::failure(format!("{digits} digits could not be proved: ask for fewer"))
 }

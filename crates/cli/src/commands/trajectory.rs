@@ -5,10 +5,6 @@ use crate::exact::{Exact, NumberError};
 use crate::output::Format;
 use crate::progress::Progress;
 use crate::{Cell, CliError, OutputArgs, Table, memory};
-use num_rational::{BigRational, Ratio};
-use num_traits::Signed;
-use rayon::prelude::*;
-use restitution_real::convert::fraction;
 use restitution_series::{TimeOrder, Trajectories};
 
 /// The largest power of time that is accepted.
@@ -43,8 +39,9 @@ impl TrajectoryArgs {
         let bytes = [within.memory_estimate(orders), dense].iter().sum();
         memory::require(bytes, "lower --damping-order or --time-order")?;
         let progress = Progress::steps("primes", 1000);
-        let watch = |share: Ratio<usize>| progress.set((share.numer() * 1000 / share.denom()) as u64);
-        let trajectories = within.trajectories(orders, &watch);
+        let trajectories = within.trajectories(orders, &|share| {
+            progress.set((share.numer() * 1000 / share.denom()) as u64);
+        });
         drop(progress);
         match self.output.format {
             Format::Text => self.output.target.write(&self.series(&within, &trajectories)?),
@@ -71,9 +68,7 @@ impl TrajectoryArgs {
 fn table(within: &TimeOrder, trajectories: &Trajectories) -> Result<Table, CliError> {
     let mut table = Table::new(&["n", "exponent", "coefficient"]);
     for n in 0..=trajectories.damping_order() {
-        let coefficients = within.coefficients(trajectories, n)?;
-        let fractions: Vec<String> = coefficients.par_iter().map(fraction).collect();
-        for (j, fraction) in fractions.into_iter().enumerate() {
+        for (j, fraction) in within.fractions(trajectories, n)?.into_iter().enumerate() {
             let exponent = Cell::digits(trajectories.exponent(n, j));
             table.push(vec![n.into(), exponent, Cell::digits(fraction)]);
         }
@@ -83,8 +78,7 @@ fn table(within: &TimeOrder, trajectories: &Trajectories) -> Result<Table, CliEr
 
 fn time_order(text: &str) -> Result<Exact, String> {
     let order: Exact = text.parse().map_err(|error: NumberError| error.to_string())?;
-    let value = order.value();
-    if value.is_positive() && *value <= BigRational::from_integer(LARGEST_TIME_ORDER.into()) {
+    if order > 0 && order <= LARGEST_TIME_ORDER {
         return Ok(order);
     }
     Err(format!("a power of time is a number above 0: give one up to {LARGEST_TIME_ORDER}"))

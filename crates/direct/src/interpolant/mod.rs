@@ -128,6 +128,8 @@ impl Collision {
     /// let ratio = |n: i64, d: i64| BigRational::new(n.into(), d.into());
     /// let piece = spheres.interpolant(&ratio(9, 10), &ratio(11, 10), Variable::Damping, 12, 100)?;
     /// assert!(piece.remainder().upper() < 1e-14);
+    /// assert_eq!((piece.variable(), piece.center().to_f64(), piece.coefficients().len()), (Variable::Damping, 1.0, 13));
+    /// assert!(*piece.half_width() > 0.09);
     /// let at_one = piece.enclose(&Ball::from_integer(1, 100)).unwrap();
     /// assert_eq!(at_one.to_digits(13).as_deref(), Some("0.3311648104666"));
     /// assert!(piece.enclose(&Ball::from_integer(2, 100)).is_none());

@@ -32,22 +32,22 @@ struct Power {
 }
 
 impl Power {
-    fn new(field: &Field, steps: i64, zeroth: Fixed, reciprocal: &Transformed) -> Self {
-        let (shop, unit) = (field.shop, field.scale.lattice.unit);
-        let mut rows = PowerRows::new(steps, unit, field.size, field.rows);
+    fn new(products: &Products, steps: i64, zeroth: Fixed, reciprocal: &Transformed) -> Self {
+        let (shop, unit) = (products.shop, products.scale.lattice.unit);
+        let mut rows = PowerRows::new(steps, unit, products.size, products.rows);
         rows.push(shop, &zeroth);
-        let slope = field.settle(shop.sum(&[(1, rows.rows.row(0), reciprocal)])).scaled(|_| (steps, unit));
-        let slope = field.transform(&slope);
+        let slope = products.settle(shop.sum(&[(1, rows.rows.row(0), reciprocal)])).scaled(|_| (steps, unit));
+        let slope = products.transform(&slope);
         Self { rows, slope, found: vec![zeroth], defects: Vec::new(), lower: None, denominator: unit }
     }
 
     /// `K_n`, what the lower orders contribute to order `n`.
-    fn prepare(&mut self, field: &Field, x: &Base, reciprocal: &Transformed) {
+    fn prepare(&mut self, products: &Products, x: &Base, reciprocal: &Transformed) {
         let n = self.found.len() as i64;
-        let sum = self.rows.lower(field.shop, x);
-        let mean = field.settle(sum.clone()).scaled(|_| (1, self.denominator * n));
-        let mean = field.transform(&mean);
-        let lower = field.settle(field.shop.sum(&[(1, &mean, reciprocal)]));
+        let sum = self.rows.lower(products.shop, x);
+        let mean = products.settle(sum.clone()).scaled(|_| (1, self.denominator * n));
+        let mean = products.transform(&mean);
+        let lower = products.settle(products.shop.sum(&[(1, &mean, reciprocal)]));
         self.lower = Some((sum, lower));
     }
 
@@ -56,28 +56,28 @@ impl Power {
     }
 
     /// Adds order `n`, `p F_0^(p-1) F_n + K_n`, and its defect.
-    fn push(&mut self, field: &Field, x: &Base) -> Option<()> {
-        let mut row = field.settle(field.shop.sum(&[(1, &self.slope, x.plain.row(self.found.len()))]));
+    fn push(&mut self, products: &Products, x: &Base) -> Option<()> {
+        let mut row = products.settle(products.shop.sum(&[(1, &self.slope, x.plain.row(self.found.len()))]));
         let (sum, lower) = self.lower.take()?;
         row.add(&lower);
-        self.rows.push(field.shop, &row);
+        self.rows.push(products.shop, &row);
         let n = self.found.len() as i64;
-        let defect = field.settle(self.rows.defect(field.shop, x, sum)?);
+        let defect = products.settle(self.rows.defect(products.shop, x, sum)?);
         self.defects.push(defect.scaled(|_| (1, n)));
         self.found.push(row);
         Some(())
     }
 }
 
-/// The workshop and the size of its transforms.
-struct Field<'s> {
+/// How series of one size are multiplied: the workshop and the size of its transforms.
+struct Products<'s> {
     shop: &'s Workshop,
     scale: &'s Scale,
     size: usize,
     rows: usize,
 }
 
-impl Field<'_> {
+impl Products<'_> {
     fn transform(&self, series: &Fixed) -> Transformed {
         self.shop.transform(series, self.size, self.shop.all_primes())
     }
@@ -110,22 +110,23 @@ impl Motion {
             return None;
         }
         watch(0);
-        let field = Field { shop, scale, size, rows: orders + 1 };
+        let products = Products { shop, scale, size, rows: orders + 1 };
         let lattice = scale.lattice;
-        let reciprocal = field.transform(&reciprocal);
-        let friction = (!scale.shared).then(|| friction_at_order_zero(&field, &f, &reciprocal));
+        let reciprocal = products.transform(&reciprocal);
+        let friction = (!scale.shared).then(|| friction_at_order_zero(&products, &f, &reciprocal));
         let linearised = Linearised::new(scale, &f);
-        let linearised = [field.transform(&linearised.velocity), field.transform(&linearised.rescaling)];
+        let linearised =
+            [products.transform(&linearised.velocity), products.transform(&linearised.rescaling)];
         let [elastic, damping] = scale.powers();
-        let mut force = Power::new(&field, elastic, force, &reciprocal);
-        let mut friction = friction.map(|zeroth| Power::new(&field, damping, zeroth, &reciprocal));
+        let mut force = Power::new(&products, elastic, force, &reciprocal);
+        let mut friction = friction.map(|zeroth| Power::new(&products, damping, zeroth, &reciprocal));
         let mut x = Base::new(size, orders + 1);
         x.push(shop, &f);
         let mut found = vec![f];
         for n in 1..=orders {
-            force.prepare(&field, &x, &reciprocal);
+            force.prepare(&products, &x, &reciprocal);
             if let Some(friction) = &mut friction {
-                friction.prepare(&field, &x, &reciprocal);
+                friction.prepare(&products, &x, &reciprocal);
             }
             let (numerator, denominator) = if scale.shared { scale.ratio } else { (1, 1) };
             let source = friction.as_ref().unwrap_or(&force);
@@ -134,14 +135,14 @@ impl Motion {
             if let Some(lower) = force.lower() {
                 right.add(&lower.stepped());
             }
-            let f_n = solve(&field, &linearised, &right.negated(), n);
+            let f_n = solve(&products, &linearised, &right.negated(), n);
             if !within(&f_n) || !within(source.found.last()?) {
                 return None;
             }
             x.push(shop, &f_n);
-            force.push(&field, &x)?;
+            force.push(&products, &x)?;
             if let Some(friction) = &mut friction {
-                friction.push(&field, &x)?;
+                friction.push(&products, &x)?;
             }
             found.push(f_n);
             watch(n);
@@ -152,25 +153,25 @@ impl Motion {
 }
 
 /// Solves the linearised equation at damping order `n >= 1`.
-fn solve(field: &Field, [velocity, rescaling]: &[Transformed; 2], right: &Fixed, n: usize) -> Fixed {
-    let lattice = field.scale.lattice;
-    let e = |j: usize| field.scale.index(n, j);
-    let right = field.transform(right);
-    let work = field.settle(field.shop.sum(&[(1, velocity, &right)])).scaled(|j| (lattice.unit, e(j)));
-    let moment = field.settle(field.shop.sum(&[(1, rescaling, &right)]));
+fn solve(products: &Products, [velocity, rescaling]: &[Transformed; 2], right: &Fixed, n: usize) -> Fixed {
+    let lattice = products.scale.lattice;
+    let e = |j: usize| products.scale.index(n, j);
+    let right = products.transform(right);
+    let work = products.settle(products.shop.sum(&[(1, velocity, &right)])).scaled(|j| (lattice.unit, e(j)));
+    let moment = products.settle(products.shop.sum(&[(1, rescaling, &right)]));
     let moment = moment.scaled(|j| (lattice.unit, e(j) + lattice.unit));
-    let (work, moment) = (field.transform(&work), field.transform(&moment));
-    let sum = field.settle(field.shop.sum(&[(1, rescaling, &work), (-1, velocity, &moment)]));
+    let (work, moment) = (products.transform(&work), products.transform(&moment));
+    let sum = products.settle(products.shop.sum(&[(1, rescaling, &work), (-1, velocity, &moment)]));
     sum.scaled(|_| (2 * lattice.unit, lattice.elastic))
 }
 
 /// `d F_0^(gamma+1)`.
 ///
 /// With `theta = s d/ds`, `H = F^p` solves `theta H = p (theta F)/F H`.
-fn friction_at_order_zero(field: &Field, f: &Fixed, reciprocal: &Transformed) -> Fixed {
-    let (shop, scale) = (field.shop, field.scale);
-    let slope = field.transform(&f.scaled(|j| (j as i64, 1)));
-    let rate = field.settle(shop.sum(&[(1, &slope, reciprocal)]));
+fn friction_at_order_zero(products: &Products, f: &Fixed, reciprocal: &Transformed) -> Fixed {
+    let (shop, scale) = (products.shop, products.scale);
+    let slope = products.transform(&f.scaled(|j| (j as i64, 1)));
+    let rate = products.settle(shop.sum(&[(1, &slope, reciprocal)]));
     let rate = rate.scaled(|_| (scale.lattice.damping, scale.lattice.unit));
     let power = exponential(shop, &rate);
     // Its reciprocal is found along the way: the constant, which may be tiny, comes last.

@@ -4,9 +4,7 @@ use crate::CliError;
 use crate::commands::material::bodies::incomplete;
 use crate::exact::{Exact, at_least_zero};
 use crate::units::{self, Quantity};
-use num_rational::BigRational;
-use num_traits::Signed;
-use restitution_direct::{Damping, EqualSpheres};
+use restitution_direct::{EqualSpheres, VelocityScale};
 use restitution_law::ForceLaw;
 use std::fmt;
 
@@ -57,21 +55,22 @@ impl DampingArgs {
         self.g_star.is_some() || self.dissipative_constant.is_some()
     }
 
-    /// The damping at an impact velocity in m/s.
+    /// What sets the damping of a velocity in m/s.
     ///
     /// # Errors
     ///
-    /// Usage for a velocity that cannot be, and for what is missing.
-    pub(in crate::commands) fn at(&self, g: &BigRational, law: &ForceLaw) -> Result<Damping, CliError> {
+    /// Usage for what is missing or cannot be.
+    pub(in crate::commands) fn scale(&self, law: &ForceLaw) -> Result<VelocityScale, CliError> {
         if let Some(g_star) = &self.g_star {
-            return Damping::of_velocity(g, positive(g_star, "--g-star")?, law).map_err(CliError::usage);
+            let g_star = positive(g_star, "--g-star")?.si().clone();
+            return Ok(VelocityScale::Characteristic { g_star, law: law.clone() });
         }
         if *law != ForceLaw::viscoelastic_spheres() {
             return Err(CliError::usage(
                 "a material is that of viscoelastic spheres: give --g-star with another --law",
             ));
         }
-        Damping::of_equal_spheres(&self.spheres()?, g).map_err(CliError::usage)
+        Ok(VelocityScale::EqualSpheres(self.spheres()?))
     }
 
     fn spheres(&self) -> Result<EqualSpheres, CliError> {
@@ -88,24 +87,24 @@ impl DampingArgs {
             let missing = missing.iter().filter(|(_, missing)| *missing).map(|(name, _)| *name);
             return Err(incomplete(&missing.collect::<Vec<_>>()));
         };
-        if *poisson.value() >= BigRational::from_integer(1.into()) {
+        if *poisson >= 1 {
             return Err(CliError::usage(format!(
                 "Poisson's ratio is {poisson}: give a number of at least 0 and below 1"
             )));
         }
         Ok(EqualSpheres {
-            dissipative_constant: positive(a, "--dissipative-constant")?.clone(),
-            young: positive(young, "--young")?.clone(),
-            density: positive(density, "--density")?.clone(),
-            radius: positive(radius, "--radius")?.clone(),
+            dissipative_constant: positive(a, "--dissipative-constant")?.si().clone(),
+            young: positive(young, "--young")?.si().clone(),
+            density: positive(density, "--density")?.si().clone(),
+            radius: positive(radius, "--radius")?.si().clone(),
             poisson: poisson.value().clone(),
         })
     }
 }
 
-fn positive<'a>(quantity: &'a Quantity, name: &str) -> Result<&'a BigRational, CliError> {
-    if quantity.si().is_positive() {
-        return Ok(quantity.si());
+fn positive<'a>(quantity: &'a Quantity, name: &str) -> Result<&'a Quantity, CliError> {
+    if quantity.sign().is_gt() {
+        return Ok(quantity);
     }
     Err(CliError::usage(format!("{name} is {quantity}: give {name} with a positive value")))
 }

@@ -5,7 +5,7 @@ use crate::list;
 use crate::progress::Progress;
 use crate::units;
 use crate::{Cell, CliError};
-use restitution_direct::{Collision, DirectError};
+use restitution_direct::{Collision, VelocityScale};
 
 impl EpsilonArgs {
     /// By how much linear interpolation between the rows misses the law, in a sentence.
@@ -13,11 +13,15 @@ impl EpsilonArgs {
     /// # Errors
     ///
     /// Failure for what cannot be integrated between two rows.
-    pub(super) fn interpolation(&self, collision: &Collision) -> Result<String, CliError> {
+    pub(super) fn interpolation(
+        &self,
+        collision: &Collision,
+        scale: &VelocityScale,
+    ) -> Result<String, CliError> {
         let velocities = list::flat(&self.velocity).iter().map(|g| g.si().clone()).collect::<Vec<_>>();
         let progress = Progress::steps("between the rows", velocities.len().saturating_sub(1) as u64);
-        let damping = |g: &_| self.damping.at(g, &self.law.law).map_err(|_| DirectError::NegativeVelocity);
-        let error = collision.table_error(&velocities, self.digits, damping, || progress.advance(1));
+        let error =
+            collision.table_error(&velocities, self.digits, |g| scale.damping(g), || progress.advance(1));
         drop(progress);
         Ok(match error {
             Ok(Some(error)) => format!(

@@ -3,7 +3,6 @@
 use crate::CliError;
 use crate::exact::{Exact, NumberError};
 use crate::units::{self, Dimension, Quantity};
-use num_traits::{Signed, Zero};
 use restitution_fit::{FitError, MeasuredLoss, STANDARD_GRAVITY};
 
 /// Arguments that say what was measured of one collision.
@@ -56,7 +55,7 @@ impl MeasuredArgs {
             return Ok(Some(Measured { loss, text: format!("epsilon = {epsilon} at {velocity}") }));
         }
         if let Some([before, after]) = &self.speeds {
-            if before.si().is_zero() {
+            if before.sign().is_eq() {
                 return Err(not_positive("speed before", before));
             }
             let loss = MeasuredLoss::of_speeds(before.si(), after.si());
@@ -64,7 +63,7 @@ impl MeasuredArgs {
         }
         if let Some([drop, rebound]) = &self.heights {
             for (what, height) in [("height of the rebound", rebound), ("height of the drop", drop)] {
-                if !height.si().is_positive() {
+                if !height.sign().is_gt() {
                     return Err(not_positive(what, height));
                 }
             }

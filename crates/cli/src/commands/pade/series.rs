@@ -4,10 +4,8 @@ use super::Form;
 use super::judgement::say;
 use crate::exact::Exact;
 use crate::{Cell, CliError, Table, input};
-use num_rational::BigRational;
-use restitution_approximate::{rational_digits, shown_places};
-use restitution_pade::{Contact, PadeType, approximant, verdict};
-use restitution_real::Rationals;
+use restitution_approximate::{judge_series, rational_digits};
+use restitution_pade::{Contact, PadeType};
 use std::path::Path;
 
 /// The largest file that is read, in bytes.
@@ -24,9 +22,10 @@ pub fn table(path: &Path, asked: PadeType, form: Form, digits: usize) -> Result<
             series.len()
         )));
     }
-    let found = approximant(&Rationals, &series, asked)?;
-    let judged = verdict(&found, &restitution_pade::Interval::HalfLine)?;
-    let shown = |value: &BigRational| Cell::Digits(rational_digits(value, digits));
+    let series = series.iter().map(|number| number.value().clone()).collect::<Vec<_>>();
+    let judged = judge_series(&series, asked, digits)?;
+    let found = &judged.approximant;
+    let shown = |value: &_| Cell::Digits(rational_digits(value, digits));
     let mut table = match form {
         Form::Quotient => {
             let mut table = Table::new(&["part", "k", "value", "decimal"]);
@@ -54,14 +53,12 @@ pub fn table(path: &Path, asked: PadeType, form: Form, digits: usize) -> Result<
         Contact::AtLeast(order) => format!("{order} or more"),
     };
     table.said("contact_order", "order of contact at 0", Cell::Text(contact));
-    let places =
-        [shown_places(&Rationals, found.den(), digits)?, shown_places(&Rationals, found.num(), digits)?];
-    say(&mut table, &judged, &places, "x");
+    say(&mut table, &judged.verdict, &judged.places, "x");
     Ok(table)
 }
 
 /// Reads coefficients, constant term first, separated by blanks, commas, semicolons or lines; `#` begins a comment.
-fn read(path: &Path) -> Result<Vec<BigRational>, CliError> {
+fn read(path: &Path) -> Result<Vec<Exact>, CliError> {
     let name = path.display();
     let bytes = input::read(path, LARGEST_FILE, "give a series of coefficients")?;
     let text = String::from_utf8(bytes).map_err(|_| {
@@ -75,7 +72,7 @@ fn read(path: &Path) -> Result<Vec<BigRational>, CliError> {
             let number: Exact = word
                 .parse()
                 .map_err(|error| CliError::usage(format!("'{name}' line {}: {error}", line + 1)))?;
-            series.push(number.value().clone());
+            series.push(number);
         }
     }
     if series.is_empty() {
