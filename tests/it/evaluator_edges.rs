@@ -3,6 +3,7 @@
 use proptest::prelude::Rng;
 use restitution::{
     End, Restitution, epsilon, epsilon_batch, one_minus_epsilon, one_minus_epsilon_batch, u_of_epsilon,
+    u_of_epsilon_batch, u_of_one_minus_epsilon, u_of_one_minus_epsilon_batch,
 };
 
 const ENDS: [End; 2] = [End::ZeroCompression, End::ZeroForce];
@@ -56,6 +57,12 @@ fn compare(arguments: &[f64], end: End) {
         "1 - epsilon of velocities",
     );
     check(&|g, out| law.u_batch(g, out), &|g| law.u(g), "u of velocities");
+    check(&|e, out| u_of_epsilon_batch(e, out, end), &|e| u_of_epsilon(e, end), "u of epsilon");
+    check(
+        &|e, out| u_of_one_minus_epsilon_batch(e, out, end),
+        &|e| u_of_one_minus_epsilon(e, end),
+        "u of 1 - epsilon",
+    );
 }
 
 #[test]
@@ -72,6 +79,10 @@ fn batches_at_every_breakpoint_and_its_neighbours() {
             compare(&filled, end);
             let from_velocity: Vec<f64> = filled.iter().map(|u| u.powi(5)).collect();
             compare(&from_velocity, end);
+            let (kept, lost) = (epsilon(u.abs(), end), one_minus_epsilon(u.abs(), end));
+            for coefficient in [kept, lost] {
+                compare(&around(coefficient).cycle().take(64).collect::<Vec<_>>(), end);
+            }
         }
     }
 }

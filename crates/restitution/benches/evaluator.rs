@@ -5,7 +5,7 @@
 
 use restitution::{
     End, Restitution, epsilon, epsilon_batch, fifth_root, one_minus_epsilon, one_minus_epsilon_batch, tiers,
-    u_of_epsilon_batch,
+    u_of_epsilon_batch, u_of_one_minus_epsilon_batch,
 };
 use std::hint::black_box;
 use std::time::Instant;
@@ -157,6 +157,13 @@ fn main() {
             }),
             slices("u of epsilon, zero compression", &fractions, |e, out| {
                 u_of_epsilon_batch(e, out, compression)
+            }),
+            slices("u of epsilon, zero force", &fractions, |e, out| u_of_epsilon_batch(e, out, force)),
+            slices("u of a small 1 - epsilon, zero compression", &small, |lost, out| {
+                u_of_one_minus_epsilon_batch(lost, out, compression)
+            }),
+            slices("u of a small 1 - epsilon, zero force", &small, |lost, out| {
+                u_of_one_minus_epsilon_batch(lost, out, force)
             }),
         ],
     );

@@ -71,7 +71,7 @@ mod impact;
 pub use evaluator::forms;
 pub use evaluator::{
     End, Restitution, bounds, epsilon, epsilon_batch, fifth_root, one_minus_epsilon, one_minus_epsilon_batch,
-    tiers, u_of_epsilon, u_of_epsilon_batch, u_of_one_minus_epsilon,
+    tiers, u_of_epsilon, u_of_epsilon_batch, u_of_one_minus_epsilon, u_of_one_minus_epsilon_batch,
 };
 #[cfg(feature = "std")]
 pub use {

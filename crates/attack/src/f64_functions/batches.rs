@@ -6,14 +6,12 @@ use crate::Tally;
 use crate::random::Source;
 use rand::RngExt;
 use restitution::{
-    End, epsilon, epsilon_batch, one_minus_epsilon, one_minus_epsilon_batch, u_of_epsilon, u_of_epsilon_batch,
+    End, epsilon, epsilon_batch, one_minus_epsilon, one_minus_epsilon_batch, u_of_epsilon,
+    u_of_epsilon_batch, u_of_one_minus_epsilon, u_of_one_minus_epsilon_batch,
 };
 
 /// A name, a function, and its batch.
 type Pair<'a> = (&'a str, &'a dyn Fn(f64) -> f64, &'a dyn Fn(&[f64], &mut [f64]));
-
-/// The inverse is ten times as slow as the others: it gets so many arguments fewer.
-const INVERTED: usize = 8;
 
 pub(super) fn attack(arguments: &[f64], end: End, random: &mut Source, tally: &mut Tally) {
     let law = random_curve(random, end);
@@ -32,12 +30,18 @@ pub(super) fn attack(arguments: &[f64], end: End, random: &mut Source, tally: &m
         compare(arguments, pair, random, tally);
         compare(&sorted, pair, random, tally);
     }
-    let inverse: Pair =
-        ("u_of_epsilon", &|e| u_of_epsilon(e, end), &|e, out| u_of_epsilon_batch(e, out, end));
-    let some = &arguments[..arguments.len() / INVERTED];
-    compare(some, inverse, random, tally);
-    let coefficients: Vec<f64> = some.iter().map(|u| epsilon(*u, end)).collect();
-    compare(&coefficients, inverse, random, tally);
+    let inverses: [Pair; 2] = [
+        ("u_of_epsilon", &|e| u_of_epsilon(e, end), &|e, out| u_of_epsilon_batch(e, out, end)),
+        ("u_of_one_minus_epsilon", &|lost| u_of_one_minus_epsilon(lost, end), &|lost, out| {
+            u_of_one_minus_epsilon_batch(lost, out, end);
+        }),
+    ];
+    let kept: Vec<f64> = sorted.iter().map(|u| epsilon(*u, end)).collect();
+    let lost: Vec<f64> = sorted.iter().map(|u| one_minus_epsilon(*u, end)).collect();
+    for (inverse, coefficients) in inverses.into_iter().zip([kept, lost]) {
+        compare(arguments, inverse, random, tally);
+        compare(&coefficients, inverse, random, tally);
+    }
 }
 
 fn compare(arguments: &[f64], (name, single, batch): Pair, random: &mut Source, tally: &mut Tally) {

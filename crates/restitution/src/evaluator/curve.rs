@@ -1,6 +1,7 @@
 //! What the two ends of contact share: one table of pieces in `u`, a form for `1 - epsilon` near 0 and one for large `u`.
 
 use super::fifth_root::Root;
+use super::index::Index;
 use super::pieces::{Grid, Piece, ROWS, Rows, WORDS};
 use super::rounding::Rooted;
 
@@ -8,6 +9,8 @@ use super::rounding::Rooted;
 pub(crate) trait Curve {
     /// The pieces.
     const TABLE: &'static Rows<ROWS>;
+    /// Which of them a coefficient belongs to.
+    const INDEX: &'static Index;
     /// Where they lie.
     const GRID: Grid;
     /// How many they are.
@@ -23,6 +26,12 @@ pub(crate) trait Curve {
     fn beyond(u: f64, low: f64) -> f64;
     /// `1 - epsilon` on `[0, NEAR_END)`.
     fn near<T: Rooted>(u: T) -> T;
+    /// The first two coefficients of [`near`](Self::near) in powers of `u`.
+    const NEAR: [f64; 2];
+    /// The derivative of [`near`](Self::near), to 1e-5.
+    fn near_slope(u: f64) -> f64;
+    /// The `u` beyond the last centre of the table at which `epsilon` is `kept > 0`.
+    fn inverse_beyond(kept: f64) -> f64;
 
     /// The piece for about `u` and its centre; none below zero, where nothing is lost, and beyond the table.
     #[inline(always)]

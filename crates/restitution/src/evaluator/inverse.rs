@@ -1,22 +1,15 @@
 use super::curve::Curve;
 use super::end::End;
-use super::epsilon::epsilon;
-use super::fifth_root::fifth_root;
 use super::pieces::WORDS;
-use super::tables::zero_compression::{NEAR, R5};
-use super::tables::zero_force::LIMIT;
 use super::zero_compression::ZeroCompression;
 use super::zero_force::ZeroForce;
-
-/// Steps after which an iteration has long been where it ends.
-const STEPS: usize = 40;
 
 /// Returns the `u` at which the coefficient of restitution is `epsilon`: the inverse of [`crate::epsilon`].
 ///
 /// 0 for 1, infinite for 0, NaN outside `[0, 1]`.
 ///
-/// A table is searched for the piece, then Newton's iteration runs in it; near 0 and at large `u` the
-/// iteration runs on the forms that hold there.
+/// A table is searched for the piece, of which the polynomial is inverted; near 0 and at large `u` the forms that hold there
+/// are. [`u_of_epsilon_batch`](crate::u_of_epsilon_batch) does the same for many.
 ///
 /// # Error bound
 ///
@@ -36,7 +29,7 @@ const STEPS: usize = 40;
 /// ```
 #[must_use]
 pub fn u_of_epsilon(epsilon: f64, end: End) -> f64 {
-    if (0.0..=1.0).contains(&epsilon) { solve(epsilon, 1.0 - epsilon, end) } else { f64::NAN }
+    at(epsilon, Given::Kept, end)
 }
 
 /// Returns the `u` at which a collision loses `lost = 1 - epsilon`: the inverse of [`crate::one_minus_epsilon`].
@@ -58,98 +51,96 @@ pub fn u_of_epsilon(epsilon: f64, end: End) -> f64 {
 /// ```
 #[must_use]
 pub fn u_of_one_minus_epsilon(lost: f64, end: End) -> f64 {
-    if (0.0..=1.0).contains(&lost) { solve(1.0 - lost, lost, end) } else { f64::NAN }
+    at(lost, Given::Lost, end)
 }
 
-fn solve(epsilon: f64, lost: f64, end: End) -> f64 {
-    if epsilon == 0.0 {
-        return f64::INFINITY;
+/// What is given of a coefficient.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Given {
+    /// `epsilon`.
+    Kept,
+    /// `1 - epsilon`.
+    Lost,
+}
+
+impl Given {
+    /// `epsilon` and `1 - epsilon`.
+    #[inline(always)]
+    pub(crate) fn both(self, value: f64) -> [f64; 2] {
+        match self {
+            Self::Kept => [value, 1.0 - value],
+            Self::Lost => [1.0 - value, value],
+        }
     }
+}
+
+fn at(value: f64, given: Given, end: End) -> f64 {
     match end {
-        End::ZeroCompression => on::<ZeroCompression>(epsilon, lost).unwrap_or_else(|| saturated(epsilon)),
-        End::ZeroForce => on::<ZeroForce>(epsilon, lost).unwrap_or_else(|| overdamped(epsilon)),
+        End::ZeroCompression => inverse::<ZeroCompression>(value, given),
+        End::ZeroForce => inverse::<ZeroForce>(value, given),
     }
 }
 
-/// Where the form near 0 or the table of a curve serves.
-fn on<C: Curve>(epsilon: f64, lost: f64) -> Option<f64> {
-    if lost < C::near(C::NEAR_END) {
-        Some(near_zero::<C>(lost))
+/// The `u` of a coefficient.
+pub(crate) fn inverse<C: Curve>(value: f64, given: Given) -> f64 {
+    let [kept, lost] = given.both(value);
+    if is_near::<C>(lost) {
+        near_zero::<C>(lost)
+    } else if is_in_table::<C>(kept, lost) {
+        let (index, change) = place::<C>(kept, lost);
+        C::GRID.centre(index) + C::TABLE.row(index as u64 * WORDS).distance(change)
+    } else if kept == 0.0 {
+        f64::INFINITY
+    } else if kept > 0.0 && kept < 1.0 {
+        C::inverse_beyond(kept)
     } else {
-        (epsilon >= C::epsilon(C::END.next_down())).then(|| in_table::<C>(epsilon, lost))
+        f64::NAN
     }
 }
 
-/// Solves `1 - epsilon(u) = lost` by Newton's iteration with the slope at 0.
-fn near_zero<C: Curve>(lost: f64) -> f64 {
-    let mut u = lost / NEAR[0];
-    for _ in 0..STEPS {
-        let step = (lost - C::near(u)) / NEAR[0];
-        u += step;
-        if step.abs() <= u * f64::EPSILON / 4.0 {
-            break;
-        }
+/// Whether the form near 0 serves: there `1 - epsilon` is larger than `u`.
+#[inline(always)]
+pub(crate) fn is_near<C: Curve>(lost: f64) -> bool {
+    (0.0 <= lost) & (lost < C::NEAR_END)
+}
+
+/// Whether a piece of the table serves.
+#[inline(always)]
+pub(crate) fn is_in_table<C: Curve>(kept: f64, lost: f64) -> bool {
+    (C::NEAR_END <= lost) & (C::TABLE.row((C::COUNT - 1) as u64 * WORDS).constant() <= kept)
+}
+
+/// Solves `1 - epsilon(u) = lost` from two terms of the inverse series, by three steps of Newton's iteration.
+///
+/// The start is off by 3e-3 of `u`, the steps leave 1e-6, 1e-11 and 1e-16 of it.
+#[inline(always)]
+pub(crate) fn near_zero<C: Curve>(lost: f64) -> f64 {
+    let x = lost / C::NEAR[0];
+    let mut u = x - C::NEAR[1] / C::NEAR[0] * (x * x);
+    for _ in 0..3 {
+        u += (lost - C::near(u)) / C::near_slope(u);
     }
     u
 }
 
-/// Finds the piece by halving, as `epsilon` falls, then solves `c_0 + t slope(t) = epsilon`.
-fn in_table<C: Curve>(epsilon: f64, lost: f64) -> f64 {
-    let piece = |index: usize| C::TABLE.row(index as u64 * WORDS);
-    let (mut above, mut below) = (0, C::COUNT - 1);
-    while below - above > 1 {
-        let middle = usize::midpoint(above, below);
-        if piece(middle).constant() > epsilon { above = middle } else { below = middle }
-    }
-    let nearer_above = piece(above).constant() - epsilon < epsilon - piece(below).constant();
-    let index = if nearer_above { above } else { below };
-    let piece = piece(index);
-    let wanted = if epsilon > 0.5 { piece.complement() - lost } else { epsilon - piece.constant() };
-    let mut t = wanted / piece.slope(0.0);
-    for _ in 0..STEPS {
-        let next = wanted / piece.slope(t);
-        let change = (next - t).abs();
-        t = next;
-        if change <= t.abs() * f64::EPSILON {
-            break;
-        }
-    }
-    C::GRID.centre(index) + t
-}
-
-/// `u = (R^5/epsilon)^(1/5)`, and by the ratio that is still missing.
-fn saturated(wanted: f64) -> f64 {
-    const TWO_TO_200: f64 = f64::from_bits((1023 + 200) << 52);
-    const TWO_TO_40: f64 = f64::from_bits((1023 + 40) << 52);
-    let u = fifth_root(R5[0] / (wanted * TWO_TO_200)) * TWO_TO_40;
-    if wanted < f64::MIN_POSITIVE {
-        return u;
-    }
-    u + u * (0.2 * (epsilon(u, End::ZeroCompression) / wanted - 1.0))
-}
-
-/// From `u = ((3/2)^(2/3)/epsilon)^(3/5)`, by the ratio that is still missing.
-fn overdamped(wanted: f64) -> f64 {
-    const TWO_TO_500: f64 = f64::from_bits((1023 + 500) << 52);
-    const TWO_TO_300: f64 = f64::from_bits((1023 + 300) << 52);
-    let root = fifth_root(LIMIT[0] / (wanted * TWO_TO_500));
-    let mut u = root * root * root * TWO_TO_300;
-    if wanted < 1e-250 {
-        return u;
-    }
-    for _ in 0..STEPS {
-        let ratio = epsilon(u, End::ZeroForce) / wanted - 1.0;
-        u += u * (0.6 * ratio);
-        if ratio.abs() <= 2.0 * f64::EPSILON {
-            break;
-        }
-    }
-    u
+/// Finds the piece whose centre is nearest in `epsilon`, which falls, and what is missing there.
+///
+/// The index knows the last centre above it, or the one before.
+#[inline(always)]
+pub(crate) fn place<C: Curve>(kept: f64, lost: f64) -> (usize, f64) {
+    let constant = |index: usize| C::TABLE.row(index as u64 * WORDS).constant();
+    let before = C::INDEX.before(kept, lost);
+    let above = before + usize::from(constant(before + 1) > kept);
+    let below = above + 1; // beyond the pieces the table has zeros, which are farther
+    let index = if constant(above) - kept < kept - constant(below) { above } else { below };
+    let piece = C::TABLE.row(index as u64 * WORDS);
+    (index, if kept > 0.5 { piece.complement() - lost } else { kept - piece.constant() })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::epsilon;
 
     #[test]
     fn the_ends_of_the_interval() {

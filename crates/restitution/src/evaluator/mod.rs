@@ -8,6 +8,7 @@ mod epsilon;
 mod fifth_root;
 #[doc(hidden)]
 pub mod forms;
+mod index;
 mod inverse;
 mod pieces;
 mod rounding;
@@ -18,7 +19,7 @@ mod velocity;
 mod zero_compression;
 mod zero_force;
 
-pub use batch::{epsilon_batch, one_minus_epsilon_batch, u_of_epsilon_batch};
+pub use batch::{epsilon_batch, one_minus_epsilon_batch, u_of_epsilon_batch, u_of_one_minus_epsilon_batch};
 pub use end::End;
 pub use epsilon::{epsilon, one_minus_epsilon};
 pub use fifth_root::fifth_root;

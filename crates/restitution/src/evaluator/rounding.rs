@@ -25,6 +25,12 @@ pub trait Number: Clone + core::ops::Mul<Output = Self> {
     fn negated(self) -> Self;
 }
 
+/// A number that can be divided by another.
+pub(crate) trait Divided: Number {
+    /// `self/divisor`, rounded to nearest.
+    fn over(self, divisor: Self) -> Self;
+}
+
 /// A number that has a square root.
 pub(crate) trait Rooted: Number {
     /// The square root of a number of `[0, 1]`, rounded to nearest.
@@ -45,6 +51,13 @@ impl Number for f64 {
     #[inline(always)]
     fn negated(self) -> Self {
         -self
+    }
+}
+
+impl Divided for f64 {
+    #[inline(always)]
+    fn over(self, divisor: Self) -> Self {
+        self / divisor
     }
 }
 

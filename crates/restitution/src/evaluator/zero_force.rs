@@ -1,8 +1,10 @@
 //! The contact that ends at zero force.
 
 use super::curve::Curve;
+use super::fifth_root::fifth_root;
+use super::index::Index;
 use super::pieces::{Grid, ROWS, Rows, polynomial};
-use super::rounding::{Number, Rooted, two_product};
+use super::rounding::{Number, Rooted, square_root, two_product};
 use super::tables::zero_force::{BEYOND, COUNT, GRID, LIMIT, NEAR_END, NEAR_HALVES, NEAR_WHOLES, TABLE};
 
 /// Pieces of 1/32 of a factor of two in `u^(-1/3) + 1/16`.
@@ -11,8 +13,11 @@ const GRID_BEYOND: Grid = Grid::new(1.0 / 16.0, 5, 0.0);
 /// The end at zero force.
 pub(crate) struct ZeroForce;
 
+static INDEX: Index = Index::of(&TABLE, COUNT);
+
 impl Curve for ZeroForce {
     const TABLE: &'static Rows<ROWS> = &TABLE;
+    const INDEX: &'static Index = &INDEX;
     const GRID: Grid = GRID;
     const COUNT: usize = COUNT;
     const NEAR_END: f64 = NEAR_END;
@@ -24,7 +29,6 @@ impl Curve for ZeroForce {
     fn beyond(u: f64, low: f64) -> f64 {
         const LARGE: f64 = f64::from_bits((1023 + 300) << 52);
         const SCALE: f64 = f64::from_bits((1023 - 300) << 52);
-        const SCALED_ROOT: f64 = f64::from_bits((1023 - 100) << 52);
         const SCALED_POWER: f64 = f64::from_bits((1023 - 500) << 52);
         if u < LARGE {
             return power_law(u, low, 1.0);
@@ -40,7 +44,38 @@ impl Curve for ZeroForce {
     fn near<T: Rooted>(u: T) -> T {
         near_by_root(u.clone().square_root(), u)
     }
+
+    const NEAR: [f64; 2] = [NEAR_WHOLES[0], NEAR_WHOLES[1]];
+
+    #[inline(always)]
+    fn near_slope(u: f64) -> f64 {
+        let (a, b) = (&NEAR_WHOLES, &NEAR_HALVES);
+        let wholes = a[0] + u * (2.0 * a[1] + u * (3.0 * a[2] + u * (4.0 * a[3])));
+        wholes + u * square_root(u) * (2.5 * b[0] + u * (3.5 * b[1] + u * (4.5 * b[2])))
+    }
+
+    /// From `u = ((3/2)^(2/3)/epsilon)^(3/5)`, by the ratio that is still missing; all of it `2^-300` times as large, where every power is normal.
+    fn inverse_beyond(kept: f64) -> f64 {
+        const TWO_TO_500: f64 = f64::from_bits((1023 + 500) << 52);
+        const TWO_TO_300: f64 = f64::from_bits((1023 + 300) << 52);
+        /// Steps after which the ratio, which falls to a tenth or less in each, has long been rounding alone.
+        const STEPS: usize = 40;
+        let kept = kept * TWO_TO_500;
+        let root = fifth_root(LIMIT[0] / kept);
+        let mut u = root * root * root;
+        for _ in 0..STEPS {
+            let ratio = power_law(u, 0.0, SCALED_ROOT) / kept - 1.0;
+            u += u * (0.6 * ratio);
+            if ratio.abs() <= 2.0 * f64::EPSILON {
+                break;
+            }
+        }
+        u * TWO_TO_300
+    }
 }
+
+/// `2^-100`, for the cube root of a scaled `u`.
+const SCALED_ROOT: f64 = f64::from_bits((1023 - 100) << 52);
 
 /// `1 - epsilon` on `[0, NEAR_END)`, with the square root of `u` given.
 #[inline(always)]

@@ -1,9 +1,10 @@
 //! A block of arguments, form by form.
 
 use super::Work;
-use super::machine::{BLOCK, Block, Kept, Lost, Machine};
+use super::machine::{BLOCK, Block, Distance, Kept, Lost, Machine};
 use crate::evaluator::curve::Curve;
 use crate::evaluator::fifth_root::{Root, fifth_power, is_ordinary};
+use crate::evaluator::inverse::{Given, inverse, is_in_table, is_near, near_zero, place};
 use crate::evaluator::pieces::WORDS;
 use crate::evaluator::zero_compression::ZeroCompression;
 use crate::evaluator::zero_force::ZeroForce;
@@ -19,6 +20,8 @@ pub(super) enum Quantity {
     Lost,
     /// `u` of a velocity.
     U,
+    /// `u` of what is given of a coefficient.
+    Inverse(Given),
 }
 
 /// A batch: arguments `u`, or velocities if there is a law that turns them into `u`.
@@ -69,6 +72,7 @@ impl Batch<'_> {
             let arguments: &[f64; BLOCK] = u[start..].first_chunk().expect("a block");
             let values = out[start..].first_chunk_mut().expect("a block");
             match (factor, quantity) {
+                (_, Quantity::Inverse(given)) => blocks.inverse(given, arguments, values),
                 (Some(law), _) => blocks.at_velocities(law, quantity, arguments, values),
                 (None, Quantity::Kept) => blocks.kept(arguments, values),
                 (None, _) => blocks.lost(arguments, values),
@@ -81,6 +85,7 @@ impl Batch<'_> {
 /// One argument or velocity.
 fn single<T: Curve>(u: f64, quantity: Quantity, factor: Option<Restitution>) -> f64 {
     match (factor, quantity) {
+        (_, Quantity::Inverse(given)) => inverse_alone::<T>(u, given),
         (None, Quantity::Kept) => kept_alone::<T>(u),
         (None, _) => lost_alone::<T>(u),
         (Some(law), Quantity::Kept) => law.epsilon(u),
@@ -110,6 +115,12 @@ fn kept_alone<T: Curve>(u: f64) -> f64 {
 #[inline(never)]
 fn lost_alone<T: Curve>(u: f64) -> f64 {
     T::one_minus_epsilon(u)
+}
+
+/// `u` of one coefficient of a block.
+#[inline(never)]
+fn inverse_alone<T: Curve>(value: f64, given: Given) -> f64 {
+    inverse::<T>(value, given)
 }
 
 /// Whether all arguments have a piece for `epsilon`.
@@ -176,6 +187,47 @@ impl<M: Machine, T> Blocks<M, T> {
             for (u, out) in u.iter().zip(out) {
                 if !(T::NEAR_END..T::END).contains(u) {
                     *out = lost_alone::<T>(*u);
+                }
+            }
+        }
+    }
+
+    /// `u` of a block of coefficients.
+    #[inline(always)]
+    fn inverse(&self, given: Given, values: &[f64; BLOCK], out: &mut [f64; BLOCK])
+    where
+        T: Curve,
+    {
+        let (mut near, mut table) = (0_u64, 0_u64);
+        for value in values {
+            let [kept, lost] = given.both(*value);
+            near += u64::from(is_near::<T>(lost));
+            table += u64::from(is_in_table::<T>(kept, lost));
+        }
+        if table > 0 {
+            let (mut start, mut change, mut centre) = (Block::zeros(), Block::zeros(), Block::<f64>::zeros());
+            for i in 0..BLOCK {
+                let [kept, lost] = given.both(values[i]);
+                let (index, missing) = place::<T>(kept, lost);
+                (start[i], change[i], centre[i]) = (index as u64 * WORDS, missing, T::GRID.centre(index));
+            }
+            self.machine.read::<Distance, _>(T::TABLE, &start, &change, out);
+            for i in 0..BLOCK {
+                out[i] += centre[i];
+            }
+        }
+        if near > FEW {
+            for i in 0..BLOCK {
+                let [_, lost] = given.both(values[i]);
+                let u = near_zero::<T>(lost);
+                out[i] = if is_near::<T>(lost) { u } else { out[i] };
+            }
+        }
+        if table + near < BLOCK as u64 || (near > 0 && near <= FEW) {
+            for (value, out) in values.iter().zip(out) {
+                let [kept, lost] = given.both(*value);
+                if !is_in_table::<T>(kept, lost) {
+                    *out = inverse_alone::<T>(*value, given);
                 }
             }
         }

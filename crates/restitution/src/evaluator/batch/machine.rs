@@ -1,8 +1,8 @@
 //! What a processor is asked for: rows of a table, looked up and evaluated side by side.
 
 use crate::evaluator::fifth_root::ROOTS;
-use crate::evaluator::pieces::{LENGTH, Rows, one_minus, polynomial};
-use crate::evaluator::rounding::Number;
+use crate::evaluator::pieces::{LENGTH, Rows, distance, one_minus, polynomial};
+use crate::evaluator::rounding::Divided;
 use crate::evaluator::tier::value;
 use core::ops::{Deref, DerefMut};
 
@@ -39,25 +39,34 @@ impl<T> DerefMut for Block<T> {
 
 /// What becomes of a row.
 pub(super) trait Reading {
-    fn of<T: Number>(c: &[T; LENGTH], complement: T, t: T) -> T;
+    fn of<T: Divided>(c: &[T; LENGTH], complement: T, t: T) -> T;
 }
 
 /// `epsilon`.
 pub(super) struct Kept;
 /// `1 - epsilon`.
 pub(super) struct Lost;
+/// The `t` at which `epsilon` differs by so much from that of the centre.
+pub(super) struct Distance;
 
 impl Reading for Kept {
     #[inline(always)]
-    fn of<T: Number>(c: &[T; LENGTH], _: T, t: T) -> T {
+    fn of<T: Divided>(c: &[T; LENGTH], _: T, t: T) -> T {
         polynomial(c, t)
     }
 }
 
 impl Reading for Lost {
     #[inline(always)]
-    fn of<T: Number>(c: &[T; LENGTH], complement: T, t: T) -> T {
+    fn of<T: Divided>(c: &[T; LENGTH], complement: T, t: T) -> T {
         one_minus(c, complement, t)
+    }
+}
+
+impl Reading for Distance {
+    #[inline(always)]
+    fn of<T: Divided>(c: &[T; LENGTH], _: T, change: T) -> T {
+        distance(c, change)
     }
 }
 

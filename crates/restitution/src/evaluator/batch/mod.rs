@@ -10,6 +10,7 @@ mod tiers;
 #[cfg(all(feature = "simd", target_arch = "x86_64"))]
 mod x86;
 
+use crate::evaluator::inverse::Given;
 use crate::evaluator::tier::Tier;
 use crate::{End, Restitution};
 use block::{Batch, Quantity};
@@ -56,7 +57,7 @@ pub fn one_minus_epsilon_batch(u: &[f64], out: &mut [f64], end: End) {
 
 /// Writes `u_of_epsilon` of each element to `out`, as far as the shorter of the two slices reaches.
 ///
-/// Every value is the one [`crate::u_of_epsilon`] gives; element by element, as each searches the table for itself.
+/// Every value is the one [`crate::u_of_epsilon`] gives, to the bit; otherwise as [`epsilon_batch`].
 ///
 /// # Examples
 ///
@@ -69,9 +70,27 @@ pub fn one_minus_epsilon_batch(u: &[f64], out: &mut [f64], end: End) {
 /// assert!(u[2].is_nan());
 /// ```
 pub fn u_of_epsilon_batch(epsilon: &[f64], out: &mut [f64], end: End) {
-    run(epsilon, out, &|epsilon, out| {
-        epsilon.iter().zip(out).for_each(|(epsilon, out)| *out = crate::u_of_epsilon(*epsilon, end));
-    });
+    let quantity = Quantity::Inverse(Given::Kept);
+    run(epsilon, out, &|u, out| dispatch(Batch { u, out, end, quantity, factor: None }));
+}
+
+/// Writes `u_of_one_minus_epsilon` of each element to `out`, as far as the shorter of the two slices reaches.
+///
+/// Every value is the one [`crate::u_of_one_minus_epsilon`] gives, to the bit; otherwise as [`epsilon_batch`].
+///
+/// # Examples
+///
+/// ```
+/// use restitution::{End, u_of_one_minus_epsilon, u_of_one_minus_epsilon_batch};
+///
+/// let mut u = [0.0; 3];
+/// u_of_one_minus_epsilon_batch(&[1e-12, 0.5, -0.1], &mut u, End::ZeroForce);
+/// assert_eq!(u[0], u_of_one_minus_epsilon(1e-12, End::ZeroForce));
+/// assert!(u[2].is_nan());
+/// ```
+pub fn u_of_one_minus_epsilon_batch(lost: &[f64], out: &mut [f64], end: End) {
+    let quantity = Quantity::Inverse(Given::Lost);
+    run(lost, out, &|u, out| dispatch(Batch { u, out, end, quantity, factor: None }));
 }
 
 impl<const ROWS: usize, const WIDTH: usize> Tier<ROWS, WIDTH> {
@@ -170,6 +189,9 @@ mod tests {
                 compare(&|u, out| epsilon_batch(u, out, end), &|u| epsilon(u, end));
                 compare(&|u, out| one_minus_epsilon_batch(u, out, end), &|u| one_minus_epsilon(u, end));
                 compare(&|u, out| u_of_epsilon_batch(u, out, end), &|u| crate::u_of_epsilon(u, end));
+                compare(&|u, out| u_of_one_minus_epsilon_batch(u, out, end), &|u| {
+                    crate::u_of_one_minus_epsilon(u, end)
+                });
                 compare(&|u, out| law.epsilon_batch(u, out), &|g| law.epsilon(g));
                 compare(&|u, out| law.one_minus_epsilon_batch(u, out), &|g| law.one_minus_epsilon(g));
                 compare(&|u, out| law.u_batch(u, out), &|g| law.u(g));

@@ -4,7 +4,7 @@ use super::Work;
 use super::machine::{BLOCK, Block, Compiled, Machine, Reading};
 use crate::evaluator::fifth_root::ROOTS;
 use crate::evaluator::pieces::{LENGTH, LIFT_SEVENTH, LIFT_SIXTH, Rows};
-use crate::evaluator::rounding::{Number, Rooted};
+use crate::evaluator::rounding::{Divided, Number, Rooted};
 use crate::evaluator::tier::value;
 use core::arch::x86_64::__m128d;
 use core::ops::Mul;
@@ -176,6 +176,13 @@ impl<S: Width> Number for Vector<S> {
     }
 }
 
+impl<S: Width> Divided for Vector<S> {
+    #[inline(always)]
+    fn over(self, divisor: Self) -> Self {
+        Self(self.0, self.0.div_f64s(self.1, divisor.1))
+    }
+}
+
 impl<S: Width> Rooted for Vector<S> {
     #[inline(always)]
     fn square_root(self) -> Self {
@@ -245,6 +252,7 @@ fn row<S: Width, const N: usize>(
 mod tests {
     use super::super::block::{Batch, Quantity};
     use super::*;
+    use crate::evaluator::inverse::Given;
     use crate::{End, Restitution};
 
     #[test]
@@ -252,7 +260,13 @@ mod tests {
         let u: Vec<f64> = (0..9000).map(|i| 1e-18 * 1.008_f64.powi(i)).chain([f64::NAN, -1.0, 0.0]).collect();
         let law = Restitution::from_g_star(0.7, End::ZeroForce);
         for end in [End::ZeroCompression, End::ZeroForce] {
-            for quantity in [Quantity::Kept, Quantity::Lost, Quantity::U] {
+            for quantity in [
+                Quantity::Kept,
+                Quantity::Lost,
+                Quantity::U,
+                Quantity::Inverse(Given::Kept),
+                Quantity::Inverse(Given::Lost),
+            ] {
                 for factor in [None, Some(law)] {
                     let bits = |run: &dyn Fn(Batch)| {
                         let mut out = vec![0.0; u.len()];
