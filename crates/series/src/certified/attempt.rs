@@ -93,6 +93,11 @@ fn row_head(law: &ForceLaw) -> u32 {
     ROW_HEAD + bits_of_powers(law) / 2
 }
 
+/// Bits by which the coefficients of the trajectories may be expected to fall, as a fraction.
+fn decay(law: &ForceLaw) -> (usize, usize) {
+    ((log_singular_ratio(law) * 0.85 * 64.0) as usize, 64)
+}
+
 /// The terms of the trajectories at a precision.
 pub(crate) fn size_for_bits(law: &ForceLaw, bits: u32, margin: usize) -> usize {
     size_for((f64::from(bits) / log_singular_ratio(law)).ceil() as usize + margin)
@@ -112,12 +117,11 @@ pub(crate) fn norms_of_powers(request: &Request, plan: Plan) -> Option<Vec<f64>>
 fn motion(request: &Request, plan: Plan, watch: &mut dyn FnMut(usize)) -> Option<(Scale, Workshop, Motion)> {
     let (law, bits) = (request.law, plan.bits);
     let scale = Scale::new(law, plan.lambda, bits);
-    let most = Float::with_val(64, 1) << (row_head(law) - 2);
-    let ratio = scale.ratio.0 as f64 / scale.ratio.1 as f64;
-    if scale.elastic.abs_up() > most || scale.damping.abs_up() > most || ratio > most.to_f64() {
+    // As T >= 1, `d/e` is below `d`; `e` is at most about `2 (a+1)`.
+    if scale.damping.abs_up() > Float::with_val(64, 1) << (row_head(law) - 2) {
         return None;
     }
-    let shop = Workshop::new(bits, head(law), ((log_singular_ratio(law) * 0.85 * 64.0) as usize, 64));
+    let shop = Workshop::new(bits, head(law), decay(law));
     let size = size_for_bits(law, bits, plan.margin);
     let motion = Motion::derive(&shop, &scale, request.damping, size, bits + row_head(law), watch)?;
     Some((scale, shop, motion))

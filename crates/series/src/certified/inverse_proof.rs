@@ -2,14 +2,20 @@
 
 use super::inverse::{Exponents, derivative, image};
 use super::one_variable::{compose, one_padded, power_of_exponential, reciprocal};
-use super::sketch::over_one_minus;
+use super::sketch::{over_one_minus, within};
 use super::turning_proof::PRODUCT;
 use crate::kernels::{Fixed, Workshop, power_of_two};
 use restitution_real::Magnitude;
 use rug::Integer;
 
-/// How far below 1 the norm of the image must stay.
+/// How far below 1 the norm of the image must stay, and with its error.
 const INSIDE: f64 = 0.999;
+const INSIDE_WITH_ERROR: f64 = 0.9995;
+/// The least weight: below it, errors of high orders would be larger than these.
+const LEAST_WEIGHT: f64 = 1e-3;
+/// How large the contraction may be, and the error of the logarithm so that its square is nothing.
+const CONTRACTION: f64 = 0.25;
+const FIRST_ORDER: f64 = 1e-6;
 
 /// The restitution and what is proved of it: `|eps_k - eps~_k| <= error weight^(-k)` in units of the fixed point.
 pub(crate) struct Restitution {
@@ -97,7 +103,7 @@ pub(crate) fn prove(
     let len = y.len();
     let w = image(shop, l, exponents, len);
     let weight = if len < 2 { 1.0 } else { weight(shop, &w) * (1.0 - 1e-9) };
-    if weight < 1e-3 {
+    if weight < LEAST_WEIGHT {
         return None;
     }
     let small = power_of_two(-i64::from(shop.bits()));
@@ -107,7 +113,7 @@ pub(crate) fn prove(
     let elastic = scales.exponential(l, q)?;
     let velocity = scales.exponential(l, p)?;
     let w_error = velocity.error;
-    if (scales.norm(&w) + w_error * small).to_f64() > 1.0 - 5e-4 {
+    if !within(scales.norm(&w) + w_error * small, INSIDE_WITH_ERROR) {
         return None;
     }
 
@@ -149,7 +155,8 @@ pub(crate) fn prove(
     let inverse_norm = inverse_norm * over_one_minus(gap)?;
     let logarithm = inverse_norm * defect * Magnitude::exact(2.0);
     let contraction = second * inverse_norm * logarithm * small * Magnitude::exact(2.0);
-    if contraction.to_f64() > 0.25 || (logarithm * small * exact(len as f64 + 8.0)).to_f64() > 1e-6 {
+    let relative = logarithm * small * exact(len as f64 + 8.0);
+    if !within(contraction, CONTRACTION) || !within(relative, FIRST_ORDER) {
         return None;
     }
     let result = scales.exponential(l, (1, 1))?;

@@ -2,7 +2,7 @@
 
 use super::damped::Motion;
 use super::response::{Cause, response};
-use super::sketch::{Detail, Grading, Powers, Sketch, Unbounded, in_detail};
+use super::sketch::{Detail, Grading, Powers, Sketch, Unbounded, in_detail, within};
 use super::units::Scale;
 use crate::kernels::{Fixed, Workshop, power_of_two};
 use restitution_real::Magnitude;
@@ -129,7 +129,7 @@ fn bound_in(
     let first = relative * exact(power.max(damping).max(1.0));
     let position = velocity * exact(1.0 / (1.0 + elastic.min(damping)));
     // Compared as they are: a quotient could be rounded to 1.
-    if first.to_f64() <= 0.5 && second <= residual && velocity.is_finite() {
+    if within(first, 0.5) && second <= residual {
         return Ok(Outcome::Bounded(MotionErrors { position, velocity }));
     }
     let excess = (2.0 * first.to_f64()).max(second.to_f64() / residual.to_f64());
@@ -284,3 +284,6 @@ fn residual(scale: &Scale, motion: &Motion) -> (Magnitude, Magnitude) {
     }
     (total, last)
 }
+
+#[cfg(test)]
+mod tests;

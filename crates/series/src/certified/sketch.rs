@@ -345,6 +345,11 @@ fn norm(values: impl Iterator<Item = f64>) -> Magnitude {
     Magnitude::exact(values.map(f64::abs).sum::<f64>() * (1.0 + 1e-9))
 }
 
+/// Whether a bound is at most a limit.
+pub(crate) fn within(bound: Magnitude, limit: f64) -> bool {
+    bound.to_f64() <= limit
+}
+
 /// `1/(1-x)` for a bound `x < 1`, rounded up.
 pub(crate) fn over_one_minus(x: Magnitude) -> Option<Magnitude> {
     let rest = (1.0 - x.to_f64()).next_down();

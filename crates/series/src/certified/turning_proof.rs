@@ -3,7 +3,7 @@
 use super::motion_proof::SETTLED;
 use super::one_variable::reciprocal;
 use super::response::{Cause, response};
-use super::sketch::{Detail, Grading, Powers, Sketch, Unbounded, in_detail, over_one_minus};
+use super::sketch::{Detail, Grading, Powers, Sketch, Unbounded, in_detail, over_one_minus, within};
 use super::turning::{Neighbourhood, TurningScale};
 use super::units::Scale;
 use crate::kernels::{Fixed, Workshop, power_of_two};
@@ -17,6 +17,10 @@ pub(crate) const PRODUCT: f64 = SETTLED + 0.25;
 pub(crate) const MOST_PLACES: usize = 8192;
 /// Degrees in `theta` that are followed one by one, at most.
 const MOST_DEGREES: usize = 4000;
+/// Limits: of the relative error, so that its square is nothing; of the shift; of the contraction (`docs/error-bounds.md`).
+const FIRST_ORDER: f64 = 1e-6;
+const LARGEST_SHIFT: f64 = 0.999999;
+const CONTRACTION: f64 = 0.499;
 
 fn exact(x: f64) -> Magnitude {
     Magnitude::exact(x * (1.0 + 1e-12))
@@ -88,7 +92,7 @@ fn bound_in(
     let error = growth * (position + rho * velocity + rounding + forcing * half) * Magnitude::exact(2.0);
     let small = power_of_two(-i64::from(shop.bits()));
     let relative = error * small * powers.reciprocal();
-    if (relative * exact(a.max(c).max(1.0) + 8.0)).to_f64() > 1e-6 {
+    if !within(relative * exact(a.max(c).max(1.0) + 8.0), FIRST_ORDER) {
         return Err(Unbounded::Large);
     }
     // l E_l: as above, each step divided by its larger factor only.
@@ -104,7 +108,7 @@ fn bound_in(
     };
     // What evaluating the polynomial and its derivatives costs.
     let size = shift.norm(i64::from(shop.bits()), 1.0);
-    if size.to_f64() > 1.0 - 1e-6 {
+    if !within(size, LARGEST_SHIFT) {
         return Err(Unbounded::Large);
     }
     let evaluation = |derivative: u32| {
@@ -124,7 +128,7 @@ fn bound_in(
     let inverse = inverse * over_one_minus(gap).ok_or(Unbounded::Large)?;
     let shift_error = inverse * residual * Magnitude::exact(2.0);
     let contraction = moment(3) * inverse * shift_error * small * Magnitude::exact(4.0);
-    (contraction.to_f64() < 0.5)
+    within(contraction, CONTRACTION)
         .then(|| error + evaluation(0) + moment(1) * shift_error * Magnitude::exact(2.0))
         .ok_or(Unbounded::Large)
 }

@@ -133,3 +133,71 @@ fn errors_of_exponentials_hold() {
         }
     }
 }
+
+/// What is proved of `1 + first v + ...` at so many bits: `error weight`, or nothing.
+fn at(
+    len: usize,
+    first: f64,
+    (elastic, velocity): ((i64, i64), (i64, i64)),
+    bits: u32,
+    l_error: f64,
+) -> String {
+    let exponents = Exponents { elastic, velocity };
+    let shop = Workshop::new(bits, HEAD, (0, 1));
+    let coefficient = |k: usize| Integer::from_f64(first.powi(k as i32) * f64::from(bits).exp2()).unwrap();
+    let y: Vec<Integer> = (0..len).map(coefficient).collect();
+    let y = Fixed::from_integers(&y, shop.width());
+    let mut l = logarithm(&shop, &y, exponents, len);
+    if len > 1 {
+        l.set(1, &(l.integer(1) + Integer::from_f64(l_error).unwrap()));
+    }
+    let found = prove(&shop, &y, Magnitude::exact(3.0), &l, exponents);
+    found.map_or("nothing".to_owned(), |found| format!("{:?} {:?}", found.error.to_f64(), found.weight))
+}
+
+/// What is proved, to the last bit, where every part of the bound counts: few bits, or a large second derivative.
+#[test]
+fn figures_of_the_proof() {
+    let spheres = ((4, 5), (1, 5));
+    let half = ((4, 3), (-2, 3));
+    let steep = ((1, 2), (9, 4));
+    for (len, first, exponents, bits, expected) in [
+        (1, 1.0, spheres, 64, "97.86096100015388 1.0"),
+        (2, -0.375, spheres, 64, "1293.965018657504 0.9989999990007963"),
+        (5, -0.375, spheres, 64, "6891.85406477337 0.8406651808097002"),
+        (10, -0.375, spheres, 64, "19947.335256242306 0.8394174407049384"),
+        (5, -0.375, half, 64, "2826.435884842168 0.7219646487203059"),
+        (5, -0.375, steep, 64, "30586.980736339057 0.2735131770725903"),
+        (3, 2e-5, ((1, 1), (10_000_000, 1)), 64, "558740.5931465128 0.04874062407216945"),
+        (3, 2e-5, ((3, 2), (10_000_000, 1)), 65, "60899.33624715647 0.059360329816384026"),
+        (5, 2e-5, ((1, 1), (300_000, 1)), 64, "9039.88861979968 0.12161048124770593"),
+        // The least weight.
+        (3, 1.0, ((1, 1), (400_000, 1)), 192, "2.4650550131818425e22 0.001116850004811577"),
+        (3, 1.0, ((1, 1), (600_000, 1)), 192, "nothing"),
+    ] {
+        assert_eq!(at(len, first, exponents, bits, 0.0), expected, "{len} {first} {exponents:?} {bits}");
+    }
+}
+
+/// Nothing is proved where the error is not small beside 1, or the second derivative times it.
+#[test]
+fn errors_too_large_for_the_theorem_are_refused() {
+    let large = ((1, 1), (1_000_000, 1));
+    for (len, first, exponents, exponent, expected) in [
+        (5, -0.375, ((4, 5), (1, 5)), 54, "1.2253489099970666e17 0.8406651825713914"),
+        (5, -0.375, ((4, 5), (1, 5)), 55, "nothing"),
+        (2, 1e-6, large, 53, "3.5975185565113976e16 0.9989999990007963"),
+        (2, 1e-6, large, 54, "nothing"),
+    ] {
+        let found = at(len, first, exponents, 80, 2f64.powi(exponent));
+        assert_eq!(found, expected, "{len} {exponents:?} 2^{exponent}");
+    }
+}
+
+#[test]
+fn numbers_are_taken_as_bounds() {
+    for x in [0.0, 1e-9, 0.3, 1.0, 12345.678] {
+        let taken = super::exact(x).to_f64();
+        assert!(taken >= x * (1.0 + 9e-13) && taken <= x * (1.0 + 2e-12), "{x}");
+    }
+}

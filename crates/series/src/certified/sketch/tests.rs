@@ -369,6 +369,13 @@ fn more_detail_is_tried_only_where_it_may_help() {
 }
 
 #[test]
+fn limits_belong_to_what_is_within() {
+    assert!(within(Magnitude::exact(0.25), 0.25) && within(Magnitude::ZERO, 0.25));
+    assert!(!within(Magnitude::exact(0.25f64.next_up()), 0.25));
+    assert!(!within(Magnitude::exact(f64::INFINITY), 0.25) && !within(Magnitude::exact(f64::NAN), 0.25));
+}
+
+#[test]
 fn one_over_one_minus_is_above() {
     for x in [0.0, 1e-300, 1e-17, 0.1, 0.25, 0.5, 0.9, 0.998, 0.99899] {
         let found = of_magnitude(over_one_minus(Magnitude::exact(x)).unwrap());
