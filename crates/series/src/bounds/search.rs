@@ -108,3 +108,6 @@ fn log_singular_ratio(law: &ForceLaw) -> f64 {
     let distance = if cosine > 0.5 { -cosine.ln() } else { 2f64.ln() };
     step * distance
 }
+
+#[cfg(test)]
+mod tests;

@@ -185,3 +185,6 @@ impl TailBound {
 fn unbounded() -> Float {
     Float::with_val(32, rug::float::Special::Infinity)
 }
+
+#[cfg(test)]
+mod tests;

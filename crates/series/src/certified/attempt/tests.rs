@@ -268,7 +268,7 @@ fn a_damping_too_large_for_its_unit_proves_nothing() {
         motion(&request, Plan { bits: 128, lambda, step: 0.0, margin: 8 }, &mut |_| ()).is_some()
     };
     // Rows of order 4 grow like the fourth power; a damping beyond 2^10 is not even tried.
-    let largest = largest(|lambda| motion_of(lambda));
+    let largest = largest(motion_of);
     assert_eq!(format!("{largest:.2}"), "3.67");
     let request = Request { law: &law, damping: 1, last: 1 };
     let first = |lambda: f64| {
