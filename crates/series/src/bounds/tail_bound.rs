@@ -32,7 +32,7 @@ const MAX_BITS: u32 = 1 << 30;
 ///
 /// let bound = TailBound::find(&ForceLaw::viscoelastic_spheres(), 4)?;
 /// let terms = bound.terms_for(100);
-/// assert!(terms < 80 && bound.ratio() < 0.8 && bound.checked_terms() < terms);
+/// assert!(terms < 80 && bound.ratio() > 5.0 && bound.checked_terms() < terms);
 /// assert!(bound.tail_at_turning_point(TurningPointSum::Velocity, 4, terms) < 2f64.powi(-100));
 ///
 /// // Beyond the order that was asked for nothing is known.

@@ -14,12 +14,27 @@ fn rates_are_as_good_as_they_were() {
     ];
     for (text, order, expected) in expected {
         let law: ForceLaw = text.parse().unwrap();
-        let (head, rates) = rates(&law, order).unwrap();
+        let (head, rates) = rates(&CLOSE, &law, order).unwrap();
         let bound = TailBound::find(&law, order).unwrap();
         let tail = bound.tail_at_turning_point(TurningPointSum::Velocity, order, 100).to_f64();
         let ratio = bound.ratio();
         let (terms, count) = (head.terms.iter().filter(|t| t.damping_order == 0).count(), rates.len());
         let found = format!("{terms} terms, {count} rates, {ratio:.6}, 2^{:.3}", tail.log2());
+        assert_eq!(found, expected, "{text} {order}");
+    }
+}
+
+/// A rough bound is as good but for some bits, from fewer rates.
+#[test]
+fn rough_bounds_are_close() {
+    for (text, order, expected) in
+        [("3/2,1/2", 4, "17 terms, 15 rates, 4.756828"), ("10,9", 1, "41 terms, 12 rates, 1.438905")]
+    {
+        let law: ForceLaw = text.parse().unwrap();
+        let bound = TailBound::find_rough(&law, order).unwrap();
+        let (head, rates) = rates(&ROUGH, &law, order).unwrap();
+        let terms = head.terms.iter().filter(|t| t.damping_order == 0).count();
+        let found = format!("{terms} terms, {} rates, {:.6}", rates.len(), bound.ratio());
         assert_eq!(found, expected, "{text} {order}");
     }
 }
@@ -46,7 +61,7 @@ fn rates_cover_every_order() {
         let law: ForceLaw = text.parse().unwrap();
         let log_ratio = log_singular_ratio(&law);
         let head = Head::new(&law, order, 40);
-        let (rates, depth) = rates_of_head(&law, &head, order, log_ratio);
+        let (rates, depth) = CLOSE.rates_of_head(&law, &head, order, log_ratio);
         let ratios = rates.iter().filter(|rate| rate.covers(order)).map(Decay::ratio);
         let largest = ratios.fold(0.0, f64::max);
         assert!(largest > 1.0 && (largest.ln() / log_ratio - depth).abs() < 1e-9, "{text} {largest} {depth}");
@@ -54,9 +69,9 @@ fn rates_cover_every_order() {
         assert_eq!(with.is_empty(), order == 0, "{text}");
         assert!(!without.is_empty(), "{text}");
         // Where the ratio asked for is at most 1, nothing is.
-        assert_eq!(rates_of_head(&law, &head, order, -1.0).1.to_bits(), 0f64.to_bits());
-        assert!(rates_of_head(&law, &head, order, -1.0).0.is_empty());
-        let (none, depth) = rates_of_head(&law, &head, order, 20.0 * log_ratio);
+        assert_eq!(CLOSE.rates_of_head(&law, &head, order, -1.0).1.to_bits(), 0f64.to_bits());
+        assert!(CLOSE.rates_of_head(&law, &head, order, -1.0).0.is_empty());
+        let (none, depth) = CLOSE.rates_of_head(&law, &head, order, 20.0 * log_ratio);
         assert!(none.is_empty() && depth == 0.0, "{text}");
     }
 }
@@ -80,8 +95,11 @@ fn the_nearest_singularity_is_that_of_the_document() {
 #[test]
 fn laws_whose_series_barely_reach_the_turning_point_are_refused() {
     let law: ForceLaw = "100000,1".parse().unwrap();
-    let Err(BoundError::TurningPointNotReached { law: told, terms }) = rates(&law, 0).map(|_| ()) else {
-        panic!("a rate is proved");
-    };
-    assert_eq!((told.as_str(), terms), (law.to_string().as_str(), 320));
+    for search in [CLOSE, ROUGH] {
+        let refused = rates(&search, &law, 0).map(|_| ());
+        let Err(BoundError::TurningPointNotReached { law: told, terms }) = refused else {
+            panic!("a rate is proved");
+        };
+        assert_eq!((told.as_str(), terms), (law.to_string().as_str(), 320));
+    }
 }
