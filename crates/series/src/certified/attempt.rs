@@ -8,7 +8,7 @@ use super::sketch::Unbounded;
 use super::turning::{Neighbourhood, TurningScale};
 use super::turning_proof;
 use super::units::{Scale, fixed, log_singular_ratio};
-use crate::kernels::{Fixed, Workshop, size_for};
+use crate::kernels::{Fixed, Workshop, keep_freed_memory, size_for};
 use crate::turning_time;
 use crate::vanishing::vanish;
 use num_rational::BigRational;
@@ -116,12 +116,12 @@ pub(crate) fn norms_of_powers(request: &Request, plan: Plan) -> Option<Vec<f64>>
 /// Approximate trajectories, if their coefficients have the bits for it.
 fn motion(request: &Request, plan: Plan, watch: &mut dyn FnMut(usize)) -> Option<(Scale, Workshop, Motion)> {
     let (law, bits) = (request.law, plan.bits);
-    let scale = Scale::new(law, plan.lambda, bits);
+    let (scale, shop) =
+        rayon::join(|| Scale::new(law, plan.lambda, bits), || Workshop::new(bits, head(law), decay(law)));
     // As T >= 1, `d/e` is below `d`; `e` is at most about `2 (a+1)`.
     if scale.damping.abs_up() > Float::with_val(64, 1) << (row_head(law) - 2) {
         return None;
     }
-    let shop = Workshop::new(bits, head(law), decay(law));
     let size = size_for_bits(law, bits, plan.margin);
     let motion = Motion::derive(&shop, &scale, request.damping, size, bits + row_head(law), watch)?;
     Some((scale, shop, motion))
@@ -133,6 +133,7 @@ pub(crate) fn attempt(
     plan: Plan,
     watch: &mut dyn FnMut(usize),
 ) -> Result<Expansion, Failure> {
+    keep_freed_memory();
     let law = request.law;
     let bits = plan.bits;
     debug_assert!(request.last.max(request.damping) <= LARGEST_ORDER);

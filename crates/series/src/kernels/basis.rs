@@ -70,7 +70,7 @@ vectorised! {
             for (r, words) in words.chunks_exact(width).enumerate() {
                 for (pair, word) in digits.as_chunks_mut::<2>().0.iter_mut().zip(&words[..used]) {
                     let word = word ^ signs[r];
-                    (pair[0][r], pair[1][r]) = (word as u32, (word >> 32) as u32);
+                    (pair[0][r], pair[1][r]) = (word & DIGIT_MASK, word >> 32);
                 }
             }
             for (group, (&primes, shifts)) in radix.primes.iter().zip(&radix.shifts).take(count).enumerate() {
@@ -187,8 +187,8 @@ vectorised! {
                     shares[i] = shares[i] + primes.share(t);
                     let t = t.integers();
                     for l in 0..LANES {
-                        eight[l][2 * i] = (t[l] & HALF_MASK) as u32;
-                        eight[l][2 * i + 1] = (t[l] >> HALF) as u32;
+                        eight[l][2 * i] = t[l] & HALF_MASK;
+                        eight[l][2 * i + 1] = t[l] >> HALF;
                     }
                 }
                 halves.extend_from_slice(&eight);

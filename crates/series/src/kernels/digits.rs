@@ -47,7 +47,7 @@ impl Digits {
 
     /// `sum_i factors_(i,r) table_(i,k)` over the first lines for the columns of a block.
     #[inline(always)]
-    pub fn multiply(&self, factors: &[[u32; ROWS]], block: usize) -> Sums {
+    pub fn multiply(&self, factors: &[[u64; ROWS]], block: usize) -> Sums {
         let column = &self.numbers[block * self.lines..(block + 1) * self.lines];
         let mut out = Sums { low: [[0; LANES]; ROWS], high: [[0; LANES]; ROWS] };
         for (factors, column) in factors.chunks(LAZY).zip(column.chunks(LAZY)) {
@@ -56,10 +56,10 @@ impl Digits {
                 turn();
                 for (l, &number) in numbers.iter().enumerate() {
                     let number = u64::from(number);
-                    sums[0][l] += number * u64::from(factors[0]);
-                    sums[1][l] += number * u64::from(factors[1]);
-                    sums[2][l] += number * u64::from(factors[2]);
-                    sums[3][l] += number * u64::from(factors[3]);
+                    sums[0][l] += number * (factors[0] & DIGIT_MASK);
+                    sums[1][l] += number * (factors[1] & DIGIT_MASK);
+                    sums[2][l] += number * (factors[2] & DIGIT_MASK);
+                    sums[3][l] += number * (factors[3] & DIGIT_MASK);
                 }
             }
             for (r, sums) in sums.iter().enumerate() {

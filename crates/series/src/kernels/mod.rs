@@ -10,6 +10,7 @@ mod digits;
 mod fixed;
 mod lanes;
 mod prime;
+mod products;
 mod rows;
 mod transform;
 mod workshop;
@@ -21,3 +22,12 @@ pub(crate) use prime::{Primes, groups_for, primes};
 pub(crate) use rows::{Convolution, Rows, block_for};
 pub(crate) use transform::{Roots, size_for};
 pub(crate) use workshop::{Extent, Sum, Term, Transformed, Workshop};
+
+/// Lets glibc keep memory that was freed, up to 64 MiB, instead of giving it back to the system page by page: whole
+/// milliseconds where many series of some megabytes come and go.
+///
+/// A block that is mapped and unmapped raises its thresholds (mallopt(3), `M_MMAP_THRESHOLD`); elsewhere it does nothing.
+pub(crate) fn keep_freed_memory() {
+    const MOST: usize = 32 << 20;
+    drop(std::hint::black_box(Vec::<u8>::with_capacity(MOST - (64 << 10))));
+}

@@ -1,38 +1,39 @@
 //! Sums of products of fixed-point series: transformed once, multiplied exactly, rounded once.
 
-use super::basis::{Level, Radix, Table};
+use super::basis::{Level, Radix};
 use super::fixed::Fixed;
 use super::lanes::{Lanes, turn, vectorised};
 use super::prime::{Primes, capacity, groups_for, primes};
-use super::transform::{Roots, size_for};
+use super::transform::Roots;
 use rayon::prelude::*;
 use std::collections::HashMap;
-use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
+/// Pieces of memory that are kept to be used again.
+const MOST_KEPT: usize = 8;
 /// Operations on eight primes below which a second thread costs more than it brings.
-const WORTH_SPLITTING: usize = 10_000;
+pub(super) const WORTH_SPLITTING: usize = 10_000;
 /// Products of reduced residues, each below `0.8 p` with its weight, that are summed before the sum is reduced.
 const LAZY: usize = 8;
 /// Places that are summed together, to stay in the first cache.
 const BLOCK: usize = 64;
 /// Coefficients that are taken to residues and back together.
-const TOGETHER: usize = 32;
-/// Steps by which fewer primes are used for coefficients that are known to be smaller.
-const LEVELS: usize = 8;
+pub(super) const TOGETHER: usize = 32;
 
 /// Fixed-point series of one absolute precision and the tools to multiply them.
 pub(crate) struct Workshop {
-    bits: u32,
-    width: usize,
+    pub(super) bits: u32,
+    pub(super) width: usize,
     /// Bits by which coefficients are expected to fall with each term, as a fraction.
     decay: (usize, usize),
     pub(super) primes: Vec<Primes>,
     radix: Radix,
     roots: Mutex<HashMap<usize, Arc<Vec<Roots>>>>,
     levels: Mutex<HashMap<(usize, u32), Arc<Level>>>,
-    overflow: AtomicBool,
+    pub(super) overflow: AtomicBool,
+    /// Memory that was used and will be again: the system gives pages slowly.
+    used: Mutex<Vec<Vec<Lanes>>>,
 }
 
 /// A series as values at roots of unity modulo the first groups of primes; reduced.
@@ -48,13 +49,13 @@ pub(crate) struct Transformed {
 /// How large coefficients are: `|c_j| < 2^peak` and `|c_j| < 2^(reach - fall(j))`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Extent {
-    peak: u32,
-    reach: u32,
+    pub(super) peak: u32,
+    pub(super) reach: u32,
 }
 
 impl Extent {
     /// Bits that hold every coefficient.
-    fn bits(self) -> u32 {
+    pub(super) fn bits(self) -> u32 {
         self.peak.min(self.reach)
     }
 
@@ -118,6 +119,7 @@ impl Workshop {
             roots: Mutex::default(),
             levels: Mutex::default(),
             overflow: AtomicBool::new(false),
+            used: Mutex::default(),
         }
     }
 
@@ -139,11 +141,11 @@ impl Workshop {
     /// Bits by which coefficient `j` is expected below the first: at most down to the noise of rounding.
     ///
     /// `fall(i) + fall(j) + 1 >= fall(i + j)`, so that products inherit it.
-    fn fall(&self, j: usize) -> u32 {
+    pub(super) fn fall(&self, j: usize) -> u32 {
         ((j * self.decay.0 / self.decay.1) as u32).min(self.bits - 40)
     }
 
-    fn extent(&self, series: &Fixed) -> Extent {
+    pub(super) fn extent(&self, series: &Fixed) -> Extent {
         let place = |j: usize| {
             let bits = bits_of(series.words(j));
             Extent { peak: bits, reach: bits + self.fall(j) }
@@ -157,35 +159,56 @@ impl Workshop {
         Arc::clone(roots.entry(size).or_insert_with(make))
     }
 
-    fn level(&self, count: usize, shift: u32) -> Arc<Level> {
+    pub(super) fn level(&self, count: usize, shift: u32) -> Arc<Level> {
         let mut levels = self.levels.lock().unwrap_or_else(PoisonError::into_inner);
         let make = || Arc::new(Level::new(&self.primes[..count], shift));
         Arc::clone(levels.entry((count, shift)).or_insert_with(make))
+    }
+
+    /// So many numbers of any value.
+    pub(super) fn memory(&self, len: usize) -> Vec<Lanes> {
+        let mut memory = self.used.lock().unwrap_or_else(PoisonError::into_inner).pop().unwrap_or_default();
+        memory.resize(len, Lanes::ZERO);
+        memory
+    }
+
+    /// Takes memory back for [`Self::memory`].
+    pub(super) fn give_back(&self, memory: Vec<Lanes>) {
+        let mut used = self.used.lock().unwrap_or_else(PoisonError::into_inner);
+        if used.len() < MOST_KEPT {
+            used.push(memory);
+        }
+    }
+
+    /// The residues of a series modulo the first `count` groups of primes, those of one coefficient side by side.
+    pub(super) fn residues(&self, series: &Fixed, count: usize) -> Vec<Lanes> {
+        let words = series.all_words();
+        let mut residues = self.memory(series.len() * count);
+        let reduce =
+            |(words, out): (&[u64], &mut [Lanes])| self.radix.residues(words, self.width, count, out);
+        if count * series.len() * (self.width + 10) > WORTH_SPLITTING {
+            let pieces = words.par_chunks(TOGETHER * self.width);
+            pieces.zip(residues.par_chunks_mut(TOGETHER * count)).for_each(reduce);
+        } else {
+            reduce((words, &mut residues));
+        }
+        residues
     }
 
     /// Transforms a series of at most `size` terms modulo the first `count` groups of primes.
     pub fn transform(&self, series: &Fixed, size: usize, count: usize) -> Transformed {
         assert!(series.len() <= size && count <= self.primes.len(), "a transform too small for its series");
         let roots = self.roots(size);
-        let words = series.all_words();
-        let mut residues = vec![Lanes::ZERO; series.len() * count];
+        let residues = self.residues(series, count);
         let mut values = vec![Lanes::ZERO; size * count];
-        let reduce =
-            |(words, out): (&[u64], &mut [Lanes])| self.radix.residues(words, self.width, count, out);
-        let fill = |residues: &[Lanes], i: usize, row: &mut [Lanes]| {
-            for (value, residue) in row.iter_mut().zip(residues.iter().skip(i).step_by(count)) {
-                *value = *residue;
-            }
-            roots[i].forward(row);
-        };
+        let fill =
+            |(i, row): (usize, &mut [Lanes])| fill_and_transform(&roots[i], &residues, (i, count), row);
         if count * size * (self.width + 10) > WORTH_SPLITTING {
-            let pieces = words.par_chunks(TOGETHER * self.width);
-            pieces.zip(residues.par_chunks_mut(TOGETHER * count)).for_each(reduce);
-            values.par_chunks_mut(size).enumerate().for_each(|(i, row)| fill(&residues, i, row));
+            values.par_chunks_mut(size).enumerate().for_each(fill);
         } else {
-            reduce((words, &mut residues));
-            values.chunks_mut(size).enumerate().for_each(|(i, row)| fill(&residues, i, row));
+            values.chunks_mut(size).enumerate().for_each(fill);
         }
+        self.give_back(residues);
         Transformed { size, count, len: series.len(), extent: self.extent(series), values }
     }
 
@@ -208,7 +231,8 @@ impl Workshop {
             self.overflow.store(true, Ordering::Relaxed);
         }
         let count = count.min(known);
-        let mut values = vec![Lanes::ZERO; size * count];
+        let mut values = self.memory(size * count);
+        values.fill(Lanes::ZERO);
         self.add_terms(terms, size, &mut values);
         Sum { size, count, extent: needed, values }
     }
@@ -245,100 +269,25 @@ impl Workshop {
         }
     }
 
-    /// Transforms back and returns the first `len` coefficients divided by `2^shift`, `shift >= 64`.
-    ///
-    /// Each has an error of at most 1/2 and `2^-20` of its unit.
-    pub fn settle(&self, sum: Sum, len: usize, shift: u32) -> Fixed {
-        self.settle_range(sum, 0..len, shift)
-    }
-
-    /// As [`Self::settle`], for some of the coefficients.
-    fn settle_range(&self, mut sum: Sum, range: Range<usize>, shift: u32) -> Fixed {
-        let (size, count) = (sum.size, sum.count);
-        if sum.extent.bits() > shift + 64 * self.width as u32 - 2 {
-            self.overflow.store(true, Ordering::Relaxed);
-        }
-        let roots = self.roots(size);
-        let back = |(i, row): (usize, &mut [Lanes])| roots[i].backward(row);
-        let costly = count * size * (count + 10) > WORTH_SPLITTING;
-        if costly {
-            sum.values.par_chunks_mut(size).enumerate().for_each(back);
-        } else {
-            sum.values.chunks_mut(size).enumerate().for_each(back);
-        }
-        let step = count.div_ceil(LEVELS);
-        let needed = |j: usize| {
-            let bits = sum.extent.reach.saturating_sub(self.fall(j)).min(sum.extent.peak);
-            groups_for(bits.max(shift)).next_multiple_of(step).min(count)
-        };
-        let scales: Vec<Lanes> = roots[..count].iter().map(Roots::scale).collect();
-        let table = Table { values: &sum.values, stride: size, scales: &scales };
-        let mut words = vec![0; range.len() * self.width];
-        let write = |(chunk, words): (usize, &mut [u64])| {
-            let first = range.start + chunk * TOGETHER;
-            let places: Vec<usize> = (first..first + words.len() / self.width).collect();
-            let mut rest = words;
-            for places in places.chunk_by(|&i, &j| needed(i) == needed(j)) {
-                let (words, after) = std::mem::take(&mut rest).split_at_mut(places.len() * self.width);
-                let count = needed(places[0]);
-                self.level(count, shift).write(&self.primes[..count], &table, places, words);
-                rest = after;
-            }
-        };
-        if costly {
-            words.par_chunks_mut(self.width * TOGETHER).enumerate().for_each(write);
-        } else {
-            words.chunks_mut(self.width * TOGETHER).enumerate().for_each(write);
-        }
-        Fixed::from_words(words, self.width)
-    }
-
-    /// The first `len` coefficients of the product, in units of the factors.
-    ///
-    /// Digits of a factor that the smallness of the other makes worthless are left away first.
-    pub fn product(&self, a: &Fixed, b: &Fixed, len: usize) -> Fixed {
-        self.products(&[(1, a, b)], 0..len)
-    }
-
-    /// Some coefficients of a sum of products whose first factors have one length, and whose second have one.
-    ///
-    /// The transforms are so long that what is folded over falls below the range, and no longer.
-    pub fn products(&self, terms: &[(i64, &Fixed, &Fixed)], range: Range<usize>) -> Fixed {
-        let len = range.end;
-        let mut factors: Vec<(Fixed, Fixed)> =
-            terms.iter().map(|(_, a, b)| (a.truncated(len), b.truncated(len))).collect();
-        let bits = |second: bool| {
-            factors.iter().map(|(a, b)| if second { b.bits() } else { a.bits() }).max().unwrap_or(0)
-        };
-        let spare = |other: u32| self.bits.saturating_sub(other + 16);
-        let (drop_a, drop_b) = (spare(bits(true)), spare(bits(false)));
-        let dropping = (64..=self.bits.saturating_sub(64)).contains(&(drop_a + drop_b));
-        let (drop_a, drop_b) = if dropping { (drop_a, drop_b) } else { (0, 0) };
-        for (a, b) in &mut factors {
-            for (factor, bits) in [(a, drop_a), (b, drop_b)] {
-                if bits > 0 {
-                    *factor = factor.shifted_right(bits);
-                }
-            }
-        }
-        let [a, b] = factors.first().map_or([1, 1], |(a, b)| [a.len(), b.len()]);
-        let whole = (a + b).max(2) - 1;
-        let size = size_for(len.min(whole).max(whole - range.start.min(whole)));
-        let extent = |(a, b): &(Fixed, Fixed)| self.extent(a).times(self.extent(b));
-        let extent = factors.iter().map(extent).fold(Extent::default(), Extent::or);
-        let extent = extent.plus(a.min(b).max(1).ilog2() + terms.len().ilog2() + 8);
-        let count = groups_for(extent.bits()).min(self.primes.len());
-        let transform = |series: &Fixed| self.transform(series, size, count);
-        let factors: Vec<_> = factors.iter().map(|(a, b)| (transform(a), transform(b))).collect();
-        let terms: Vec<_> =
-            terms.iter().zip(&factors).map(|(&(weight, ..), (a, b))| (weight, a, b)).collect();
-        self.settle_range(self.sum(&terms), range.start..len.min(size), self.bits - drop_a - drop_b)
-    }
-
     /// Groups of primes that suffice for a product of any two series of this precision.
     pub fn all_primes(&self) -> usize {
         self.primes.len()
     }
+}
+
+/// Puts the residues modulo group `i` of `count`, which stand side by side, into a row, zeros behind, and transforms it.
+pub(super) fn fill_and_transform(
+    roots: &Roots,
+    residues: &[Lanes],
+    (i, count): (usize, usize),
+    row: &mut [Lanes],
+) {
+    let len = residues.len() / count;
+    for (value, residues) in row.iter_mut().zip(residues.chunks_exact(count)) {
+        *value = residues[i];
+    }
+    row[len..].fill(Lanes::ZERO);
+    roots.forward(row);
 }
 
 /// The extent of a weighted product of factors with so many terms and such an extent.

@@ -7,14 +7,16 @@ mod denominators;
 mod motion;
 mod residues;
 
-use crate::kernels::{Fixed, LANES, Lanes, Level, Primes, Table, groups_for, primes, turn, vectorised};
+use crate::kernels::{
+    Fixed, LANES, Lanes, Level, Primes, Table, groups_for, keep_freed_memory, primes, turn, vectorised,
+};
 use crate::recurrence;
 use crate::trajectories::index;
 use crate::{BoundError, TailBound, Trajectories, turning_time};
 use denominators::Denominators;
 use motion::Motion;
 use num_rational::{BigRational, Ratio};
-use num_traits::One;
+use num_traits::{One, Zero};
 use rayon::prelude::*;
 use residues::Residues;
 use restitution_law::ForceLaw;
@@ -27,6 +29,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 const FEW_TERMS: usize = 24;
 /// Steps by which fewer primes are used for smaller coefficients.
 const LEVELS: usize = 16;
+/// Terms for which one bound of their sizes is found: it gives away two or three bits for each.
+const STRIDE: usize = 4;
 /// Coefficients that are reconstructed together.
 const BLOCK: usize = 16;
 /// Largest lattice index that the sieve for the denominators is made for.
@@ -62,6 +66,7 @@ impl Trajectories {
         terms: usize,
         watch: &(dyn Fn(Ratio<usize>) + Sync),
     ) -> Self {
+        keep_freed_memory();
         let small = terms <= FEW_TERMS || index(law, damping_order, terms) > LARGEST_INDEX;
         let bounds = || {
             let denominators = || Denominators::bound(law.lattice(), damping_order, terms);
@@ -82,10 +87,16 @@ fn sizes(law: &ForceLaw, damping_order: usize, terms: usize) -> Result<Vec<Vec<i
     let time = turning_time(law, 64);
     let elastic = Ball::one() / time.pow(&law.elastic_step());
     let damping = Ball::one() / time.pow(&law.damping_step());
+    let checked = bound.checked_terms();
     let row = |n: usize| {
         let mut scale = damping.powi(i64::try_from(n).unwrap_or(i64::MAX));
-        let size = |j| {
-            let size = (Ball::exact(bound.coefficient_up(n, j)) * &scale).abs_up();
+        let mut scaled = Ball::zero();
+        let size = |j: usize| {
+            // Beyond the head bounds fall with j: one holds for those that follow.
+            if j <= checked || j.is_multiple_of(STRIDE) {
+                scaled = Ball::exact(bound.coefficient_up(n, j));
+            }
+            let size = (&scaled * &scale).abs_up();
             scale *= &elastic;
             size.get_exp().map_or(0, i64::from)
         };
