@@ -181,3 +181,6 @@ pub fn largest_reach<E: From<PadeError>>(
     }
     Ok(Reach::Everywhere)
 }
+
+#[cfg(test)]
+mod tests;

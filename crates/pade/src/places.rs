@@ -82,21 +82,13 @@ fn narrow<F: OrderedField>(
     (mut low, mut high): (BigRational, BigRational),
     digits: usize,
 ) -> Result<(BigRational, BigRational), PadeError> {
-    let sign = |x: &BigRational| {
-        let value = polynomial::evaluate(field, p, &field.rational(x));
-        field.sign(&value).ok_or(PadeError::Undecided { what: "the place of a zero" })
-    };
+    let sign = |x: &BigRational| sign_at(field, p, x);
     let after = sign(&high)?;
     if after == Ordering::Equal {
         return Ok((high.clone(), high));
     }
     let beyond = zeros(field, p, &Interval::UpTo(field.rational(&high)))?.unwrap_or(0);
-    let odd = match low == BigRational::from_integer(0.into()) {
-        true => {
-            p.iter().map(|c| field.sign(c)).find(|s| *s != Some(Ordering::Equal)).flatten() != Some(after)
-        }
-        false => sign(&low)? != after,
-    };
+    let odd = sign_right_of(field, p, &low)? != after;
     let ten = BigRational::from_integer(10.into());
     let scale = (0..digits).fold(BigRational::from_integer(1.into()), |scale, _| scale * &ten);
     while (&high - &low) * &scale > low {
@@ -111,6 +103,29 @@ fn narrow<F: OrderedField>(
     Ok((low, high))
 }
 
+fn sign_at<F: OrderedField>(field: &F, p: &[F::Number], x: &BigRational) -> Result<Ordering, PadeError> {
+    let value = polynomial::evaluate(field, p, &field.rational(x));
+    field.sign(&value).ok_or(PadeError::Undecided { what: "the place of a zero" })
+}
+
+/// The sign just right of a point, which may be a zero: that of the first derivative that does not vanish there.
+fn sign_right_of<F: OrderedField>(
+    field: &F,
+    p: &[F::Number],
+    x: &BigRational,
+) -> Result<Ordering, PadeError> {
+    let mut p = p.to_vec();
+    loop {
+        match sign_at(field, &p, x)? {
+            Ordering::Equal if p.len() > 1 => p = polynomial::derivative(field, &p),
+            sign => return Ok(sign),
+        }
+    }
+}
+
 fn half(low: &BigRational, high: &BigRational) -> BigRational {
     (low + high) / BigRational::from_integer(2.into())
 }
+
+#[cfg(test)]
+mod tests;

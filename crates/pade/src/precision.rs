@@ -38,3 +38,6 @@ pub fn with_precision<T, E: From<PadeError>>(
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -112,3 +112,6 @@ impl<F: OrderedField> RationalFunction<F> {
         out
     }
 }
+
+#[cfg(test)]
+mod tests;

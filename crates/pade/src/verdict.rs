@@ -144,3 +144,6 @@ fn upper_bound<F: OrderedField>(
     };
     Ok(if below { Bounds::Within } else { Bounds::AboveOne })
 }
+
+#[cfg(test)]
+mod tests;

@@ -174,31 +174,4 @@ fn variations<F: OrderedField>(field: &F, values: &[F::Number]) -> Result<usize,
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use num_rational::BigRational;
-    use restitution_real::Rationals;
-
-    fn from_roots(roots: &[i64]) -> Vec<BigRational> {
-        let int = |n: i64| BigRational::from_integer(n.into());
-        roots.iter().fold(vec![int(1)], |p, &r| polynomial::product(&Rationals, &p, &[int(-r), int(1)]))
-    }
-
-    #[test]
-    fn multiple_zeros_count_once_and_change_sign_if_odd() {
-        let p = from_roots(&[0, 0, 1, 2, 2, 3, 3, 3, -4, 5, 5, 5, 5]);
-        assert_eq!(zeros(&Rationals, &p, &Interval::HalfLine), Ok(Some(5)));
-        assert_eq!(sign_changes(&Rationals, &p, &Interval::HalfLine), Ok(Some(2)));
-        for (end, count, changes) in [(2, 3, 1), (3, 4, 2), (4, 4, 2)] {
-            let end = Interval::UpTo(BigRational::from_integer(end.into()));
-            assert_eq!(zeros(&Rationals, &p, &end), Ok(Some(count)));
-            assert_eq!(sign_changes(&Rationals, &p, &end), Ok(Some(changes)));
-        }
-    }
-
-    #[test]
-    fn constants_have_no_zeros() {
-        assert_eq!(zeros(&Rationals, &from_roots(&[]), &Interval::HalfLine), Ok(Some(0)));
-        assert_eq!(sign_changes(&Rationals, &from_roots(&[]), &Interval::HalfLine), Ok(Some(0)));
-    }
-}
+mod tests;

@@ -298,3 +298,24 @@ fn a_step_that_is_given_is_used() {
     around.start.elastic = Ball::from_integer(0, 64);
     assert_eq!(around.start.first_step(), 0.25);
 }
+
+/// What is proved of the compression, to the last bit, where every part of the bound counts: few bits, or large errors.
+#[test]
+fn figures_of_the_turning_point() {
+    for (text, order, bits, expected) in [
+        ("3/2,1/2", 4, 44, 44711.69313871437),
+        ("3/2,1/2", 4, 48, 44711.693011423886),
+        ("7/3,5/6", 3, 44, 2105.400402680487),
+    ] {
+        let few = Around::new(text, order, bits, if order == 4 { 0.9 } else { 0.6 }, 1.1);
+        assert_eq!(few.bound(0.0, 0.0, &few.shift), Some(expected), "{text} {bits}");
+    }
+    for (text, position, velocity) in [
+        ("3/2,1/2", 6.04314112590224e41, 1.3177861398968713e42),
+        ("7/3,5/6", 2.7556321347807474e41, 3.954745918770939e41),
+    ] {
+        let around = Around::new(text, 4, 160, 0.5, 1.1);
+        assert_eq!(around.bound(2f64.powi(134), 0.0, &around.shift), Some(position), "{text}");
+        assert_eq!(around.bound(0.0, 2f64.powi(137), &around.shift), Some(velocity), "{text}");
+    }
+}
