@@ -144,12 +144,15 @@ impl PhaseArc {
 }
 
 /// Bounds of `|P|` from below and above on `0 <= theta <= 1`: those of its chord, less or more the bend.
+///
+/// A chord that changes its sign has a negative one from below, however far beyond zero it ends.
 fn extremes(coefficients: &[Integer], bits: u32) -> (Ball, Ball) {
     let start = coefficients[0].clone().abs();
-    let end = Integer::from(&coefficients[0] + &coefficients[1]).abs();
+    let end = Integer::from(&coefficients[0] + &coefficients[1]) * coefficients[0].cmp0() as i32;
     let bend = size(&coefficients[2..], bits);
     let ball = |n: &Integer| from_fixed(n, bits, BOUND_BITS);
-    (ball((&start).min(&end)) - &bend, upper_bound(&(ball((&start).max(&end)) + bend)))
+    let fastest = ball(&start).union(&ball(&end)).abs_up();
+    (ball((&start).min(&end)) - &bend, upper_bound(&(Ball::exact(fastest) + bend)))
 }
 
 /// Whether the cut-off costs no more than a dozen bits of the working precision.
@@ -204,3 +207,20 @@ impl<'a> Damped<'a> {
 
 /// Terms from which on a product of series is worth its set-up.
 const FEW_TERMS: usize = 33;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_polynomial_that_changes_its_sign_has_no_least_speed() {
+        // 1 - 3 theta ends at -2, farther from zero than it began; bent by 1/4 it is no better.
+        for signs in [1, -1] {
+            let c = [4, -12, 1].map(|c| Integer::from(c * signs));
+            let (slowest, fastest) = extremes(&c, 2);
+            assert_eq!((slowest.to_f64(), fastest.to_f64()), (-2.25, 2.25));
+        }
+        let (slowest, fastest) = extremes(&[-4, 2, 0].map(Integer::from), 2);
+        assert_eq!((slowest.to_f64(), fastest.to_f64()), (0.5, 1.0));
+    }
+}
