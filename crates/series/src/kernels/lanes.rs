@@ -81,6 +81,15 @@ impl Neg for Lanes {
     }
 }
 
+/// The widest vectors that the processor has.
+pub(crate) fn arch() -> pulp::Arch {
+    #[cfg(test)]
+    if tests::WITHOUT_VECTORS.load(std::sync::atomic::Ordering::Relaxed) {
+        return pulp::Arch::Scalar;
+    }
+    pulp::Arch::new()
+}
+
 /// Defines a function that is compiled for every width of vectors; the processor at hand chooses.
 ///
 /// References in its arguments live for `'a`. All that it calls must be inlined, lest it be compiled for none.
@@ -97,8 +106,37 @@ macro_rules! vectorised {
                     $body
                 }
             }
-            pulp::Arch::new().dispatch(Job { $($argument),+ });
+            $crate::kernels::arch().dispatch(Job { $($argument),+ });
         }
     };
 }
 pub(crate) use vectorised;
+
+#[cfg(test)]
+pub(super) mod tests {
+    use crate::Trajectories;
+    use crate::{Quantity, coefficients};
+    use restitution_law::ForceLaw;
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    /// Whether all functions run as on a processor without vectors and fused multiplication. All results are exact, so
+    /// that tests running meanwhile notice nothing.
+    pub(in crate::kernels) static WITHOUT_VECTORS: AtomicBool = AtomicBool::new(false);
+
+    /// The bits of exact and of certified results on a processor without fused multiplication.
+    #[test]
+    fn results_do_not_depend_on_vectors() {
+        let results = || {
+            let [spheres, other]: [ForceLaw; 2] = ["3/2,1/2", "5/3,1/4"].map(|law| law.parse().unwrap());
+            let digits = coefficients(Quantity::Restitution, &spheres, 5, 40).unwrap();
+            let balls: Vec<_> = digits.iter().map(|c| (c.mid().clone(), c.rad().clone())).collect();
+            let exact = [Trajectories::exact(&spheres, 2, 40), Trajectories::exact(&other, 1, 30)];
+            (balls, exact.map(|x| format!("{x:?}")))
+        };
+        let with = results();
+        WITHOUT_VECTORS.store(true, Ordering::Relaxed);
+        let without = results();
+        WITHOUT_VECTORS.store(false, Ordering::Relaxed);
+        assert_eq!(with, without);
+    }
+}

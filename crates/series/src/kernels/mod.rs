@@ -17,7 +17,7 @@ mod workshop;
 
 pub(crate) use basis::{Level, Table};
 pub(crate) use fixed::{Fixed, power_of_two};
-pub(crate) use lanes::{LANES, Lanes, turn, vectorised};
+pub(crate) use lanes::{LANES, Lanes, arch, turn, vectorised};
 pub(crate) use prime::{Primes, groups_for, primes};
 pub(crate) use rows::{Convolution, Rows, block_for};
 pub(crate) use transform::{Roots, size_for};
