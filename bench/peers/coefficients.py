@@ -1,6 +1,6 @@
 """Expansion coefficients with FLINT's balls: C_1 .. C_K to about D digits. usage: coefficients.py K D
 
-The series of exact.py in ball arithmetic, then the turning point and the inverse collision as Newton
+The series of motion.py in ball arithmetic, then the turning point and the inverse collision as Newton
 iterations and series in u. The tail of the sums at T is cut where it should be small; unlike ours it
 is not bounded. Prints the seconds, then `k,value,radius`.
 """
@@ -9,51 +9,10 @@ import sys
 import time
 
 from flint import arb, arb_series, ctx
+from motion import Motion
 
-
-def series(coefficients, length):
-    return arb_series(coefficients, prec=length)
-
-
-def weighted(s, length, weight):
-    return series([s[j] * weight(j) for j in range(length)], length)
-
-
-def undamped(length):
-    f, n = series([1], 1), 1
-    while n < length:
-        known, n = n, min(2 * n, length)
-        ctx.cap = n
-        f = series([f[i] for i in range(known)], n)
-        e = lambda j: arb(5 * j) / 2
-        residual = weighted(f, n, lambda j: e(j) * (e(j) + 1)) + f * f.sqrt() * series([0, 1], n)
-        v = weighted(f, n, lambda j: e(j) + 1)
-        a = v * residual
-        a = series([0] + [a[j] / e(j) for j in range(1, n)], n)
-        w = series([1], n) / v
-        f = f - weighted(a * w * w, n, lambda j: 1 / (e(j) + 1)) * v
-    return f
-
-
-def trajectories(order, length):
-    f0 = undamped(length)
-    ctx.cap = length
-    root = f0.sqrt()
-    v = weighted(f0, length, lambda j: arb(5 * j) / 2 + 1)
-    w = series([1], length) / v
-    w2, inverse, s = w * w, series([1], length) / f0, series([0, 1], length)
-    f, h = [f0], [f0 * root]
-    for n in range(1, order + 1):
-        lower = series([0], length)
-        for k in range(1, n):
-            lower = lower + f[k] * h[n - k] * (arb(3 * k) / 2 - (n - k))
-        lower = lower * inverse * (arb(1) / n)
-        right = weighted(h[n - 1], length, lambda j: arb(5 * j + 3 * n) / 3) + lower * s
-        a = weighted(v * right, length, lambda j: arb(2) / (5 * j + 3 * n))
-        f.append(-(weighted(a * w2, length, lambda j: arb(2) / (5 * j + 3 * n + 2)) * v))
-        if n < order:
-            h.append(root * f[n] * arb(1.5) + lower)
-    return f
+MOTION = Motion(lambda p, q: arb(p) / q, arb_series)
+series = MOTION.series
 
 
 def values_at(f, half_duration, length):
@@ -121,7 +80,7 @@ def coefficients(order, digits):
     guard = int(0.6 * order) + 10
     ctx.prec = int((digits + guard) * 3.33) + 32
     length = int((digits + guard) / 0.74) + int(0.5 * order) + 11
-    f = trajectories(order, length)
+    f = MOTION.trajectories(order, length)
     half_duration = (arb(4) / 5) ** (arb(3) / 5) * (arb(2) / 5).gamma() * arb.pi().sqrt() / (2 * (arb(9) / 10).gamma())
     return inverse_collision(order, compression(order, *values_at(f, half_duration, length)))
 
