@@ -23,6 +23,7 @@ fn prove(every: usize) {
         println!("{end:?}: {all:?}");
         assert!(all.epsilon.bound <= bounds::EPSILON.size, "{end:?}");
         assert!(all.one_minus_epsilon.bound <= bounds::ONE_MINUS_EPSILON.size, "{end:?}");
+        assert!(all.of_velocity.bound <= bounds::EPSILON_OF_VELOCITY.size, "{end:?}");
     }
 }
 
@@ -42,6 +43,7 @@ fn the_stated_errors_on_every_interval() {
 fn the_stated_error_beyond_the_table() {
     let proved = saturated().unwrap();
     assert!(proved.epsilon.bound <= bounds::EPSILON.size, "{proved:?}");
+    assert!(proved.of_velocity.bound <= bounds::EPSILON_OF_VELOCITY.size, "{proved:?}");
     assert!(proved.approximation.bound < 1e-17, "{proved:?}");
 }
 

@@ -23,8 +23,8 @@ const SMALLER: i32 = 8;
 /// `log2` of the `u` below which the first term is enough (docs/evaluator.md, the lemma).
 pub(super) const LEAST: i32 = 60;
 
-/// By so much, relatively, pieces reach beyond their group.
-const MARGIN: f64 = 1e-13;
+/// By so much, relatively, pieces reach beyond their group: where the estimate of a fifth root puts them.
+const MARGIN: f64 = 2e-7;
 /// From here on the pieces at zero compression are compared with the power law.
 pub(super) const SATURATED: f64 = 8.0;
 

@@ -1,6 +1,6 @@
 //! The errors of the evaluator, proved for every argument and not at points.
 //!
-//! A form is followed in two ways by the functions that evaluate it ([`restitution::forms`]). In exact arithmetic it is a
+//! A form is followed in two ways by the functions that evaluate it (`restitution::forms`). In exact arithmetic it is a
 //! polynomial, whose distance from `epsilon` the certified interpolant of [`restitution_direct`] bounds on the whole interval; in
 //! bounds of errors every operation adds half a unit of its largest result. docs/evaluator.md has the parts.
 
@@ -51,13 +51,19 @@ pub struct Proof {
     pub epsilon: Worst,
     /// Of `one_minus_epsilon(u)`, in units in the last place.
     pub one_minus_epsilon: Worst,
+    /// Of `Restitution::epsilon(g)`, in units in the last place, where `f g` is an ordinary number.
+    pub of_velocity: Worst,
     /// Of the forms in exact arithmetic without the rounding of their constants, relative to `epsilon`.
     pub approximation: Worst,
 }
 
 impl Proof {
-    const NONE: Self =
-        Self { epsilon: Worst::NONE, one_minus_epsilon: Worst::NONE, approximation: Worst::NONE };
+    const NONE: Self = Self {
+        epsilon: Worst::NONE,
+        one_minus_epsilon: Worst::NONE,
+        of_velocity: Worst::NONE,
+        approximation: Worst::NONE,
+    };
 
     /// What holds for the arguments of both.
     #[must_use]
@@ -66,6 +72,7 @@ impl Proof {
         Self {
             epsilon: or(self.epsilon, other.epsilon),
             one_minus_epsilon: or(self.one_minus_epsilon, other.one_minus_epsilon),
+            of_velocity: or(self.of_velocity, other.of_velocity),
             approximation: or(self.approximation, other.approximation),
         }
     }
@@ -125,10 +132,22 @@ impl Span {
     }
 }
 
-/// What a place can be off by: it is found by a rounded sum with 1 or less.
+/// By so much of itself the estimate of a root that finds the place may be off.
+const ESTIMATE: f64 = 1e-7;
+
+/// What a place can be off by: it is found by a rounded sum with 1 or less, of `u` or of the estimate of a root.
 fn margin(form: &Form) -> f64 {
-    (form.high + 8.0) * f64::EPSILON
+    (form.high + 8.0) * f64::EPSILON + form.high * ESTIMATE
 }
+
+/// What a distance from the centre is off by that comes from a fifth root: the roundings of both additions, and 0.02 of half a unit of 1 in the
+/// part of the root that is added (docs/evaluator.md, the fifth root).
+fn error_of_root(t: f64, u: f64) -> f64 {
+    half_unit(t.abs() + 0.0025 * u) + half_unit(t) + 0.02 * u * f64::EPSILON / 2.0
+}
+
+/// What the rounding of `f g` changes `epsilon` by at most, relatively: the logarithm of `epsilon` falls no faster than that of `g` grows.
+const PRODUCT: f64 = f64::EPSILON / 2.0;
 
 /// Proves a piece of the table, as far as it lies between `low` and `high`.
 fn piece(interpolant: &Interpolant, form: &Form, low: f64, high: f64, end: End) -> Proof {
@@ -143,6 +162,7 @@ fn piece(interpolant: &Interpolant, form: &Form, low: f64, high: f64, end: End) 
     for (at, t) in parts(low, high, form.centre, error) {
         let kept: Rounded = form.epsilon(t);
         proof.epsilon = proof.epsilon.or(kept.units(missed), at);
+        proof.of_velocity = proof.of_velocity.or(of_velocity(form, t, high, missed), at);
         proof.approximation = proof.approximation.or((missed - constant) / kept.low, at);
         if form.centre + t.high >= forms::near_end(end) {
             let lost: Rounded = form.one_minus_epsilon(t);
@@ -150,6 +170,13 @@ fn piece(interpolant: &Interpolant, form: &Form, low: f64, high: f64, end: End) 
         }
     }
     proof
+}
+
+/// A bound of `epsilon` from a velocity, in units, of a part of a piece whose `u` is at most `high`.
+fn of_velocity(form: &Form, t: Rounded, high: f64, missed: f64) -> f64 {
+    let error = error_of_root(t.low.abs().max(t.high.abs()), high);
+    let kept: Rounded = form.epsilon(Rounded::new(t.low, t.high, error));
+    kept.units(missed + kept.high * PRODUCT)
 }
 
 /// The parts of a piece between two ends, as distances from its centre that are computed within an error.
@@ -184,8 +211,7 @@ pub fn saturated() -> Result<Proof, DirectError> {
     let limit = exit_speed.upper().to_f64_round(rug::float::Round::Up);
     for form in forms::table(End::ZeroCompression).filter(|form| form.low >= SATURATED) {
         let exact = |x: f64| Float::with_val(PREC, x);
-        let margin = form.high * f64::EPSILON;
-        let (low, high) = (form.low - margin, form.high + margin);
+        let (low, high) = (form.low - margin(&form), form.high + margin(&form));
         let middle = Float::with_val(PREC, exact(low) + high) / 2u32;
         let half = Float::with_val(PREC, exact(high) - low) / 2u32;
         let u = Polynomial::line(&middle, &half);
@@ -198,6 +224,7 @@ pub fn saturated() -> Result<Proof, DirectError> {
             let (kept, lost): (Rounded, Rounded) = (form.epsilon(t), form.one_minus_epsilon(t));
             proof.epsilon = proof.epsilon.or(kept.units(missed), at);
             proof.one_minus_epsilon = proof.one_minus_epsilon.or(lost.units(missed), at);
+            proof.of_velocity = proof.of_velocity.or(of_velocity(&form, t, high, missed), at);
             proof.approximation = proof.approximation.or((all - constant) / limit, at);
         }
     }

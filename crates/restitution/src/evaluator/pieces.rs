@@ -140,8 +140,8 @@ impl Piece {
 
 /// Returns the `t` at which `c_1 t + … + c_7 t^7` is `change`: three terms of the inverse series, then two steps of Newton's iteration.
 ///
-/// With `q = |c_2 t/c_1|` the start is off by some `5 q^3`, the steps by `(q^4 + 5 q^3 q)` of that and of that again: below 2^-60 of `t` for the
-/// pieces of the tables, where `q < 2^-6` (`every_distance_has_settled`).
+/// With `q = |c_2 t/c_1|` the start is off by some `5 q^3`, then by `q^4` of that and of that again: nothing for the pieces of the tables,
+/// where `q` is below `2^-6` (`every_distance_has_settled`).
 #[inline(always)]
 pub(crate) fn distance<T: Divided>(c: &[T; LENGTH], change: T) -> T {
     let one = change.of(1.0);
