@@ -84,8 +84,11 @@ fmt:
 clippy: tools
 	$(CARGO) clippy --workspace --all-targets --locked --quiet -- -D warnings
 
-doc: tools
-	RUSTDOCFLAGS=-Dwarnings $(CARGO) doc --workspace --no-deps --locked --quiet
+DOC = $${CARGO_TARGET_DIR:-target}/doc
+doc: tools ## read every crate's documentation as one book, target/doc/restitution/index.html
+	@mkdir -p $(DOC)/restitution # rustdoc links to crates whose folder is there
+	@for room in crates/*; do mkdir -p $(DOC)/restitution_$$(basename $$room); done && rmdir $(DOC)/restitution_restitution
+	RUSTDOCFLAGS="-Dwarnings -Drustdoc::missing_crate_level_docs -Drustdoc::unescaped_backticks" $(CARGO) doc --workspace --no-deps --locked --quiet --jobs 1
 
 package: tools ## pack every crate for others, then build and test what was packed on its own
 	@CARGO="$(CARGO)" sh scripts/package

@@ -95,6 +95,8 @@ fn compare(driver: &Driver) {
 
 macro_rules! in_every_language {
     ($($language:ident)*) => {
+        /// The drivers that are run.
+        const RUN: &[&str] = &[$(stringify!($language)),*];
         $(#[test]
         fn $language() {
             compare(DRIVERS.iter().find(|driver| driver.test == stringify!($language)).unwrap());
@@ -109,6 +111,9 @@ fn every_language_has_a_driver_or_is_not_run() {
     for language in restitution_export::LANGUAGES {
         let driven = DRIVERS.iter().any(|driver| driver.language == language.name);
         assert_ne!(driven, not_run.contains(&language.name), "{}", language.name);
+    }
+    for driver in DRIVERS {
+        assert!(RUN.contains(&driver.test), "{}: its name belongs to in_every_language!", driver.test);
     }
 }
 

@@ -68,7 +68,7 @@ pub enum Parser {
     Quantity,
     /// [`ForceLaw`].
     Law,
-    /// [`list::velocities`].
+    /// `restitution_cli::list::velocities`.
     List,
     /// [`Data`].
     Data,

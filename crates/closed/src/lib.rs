@@ -3,7 +3,7 @@
 //! For every law `x'' + u x^gamma x' + x^a = 0` the coefficients `C_k`, `a_k`, `h_k` are rational expressions in
 //! iterated integrals over the undamped collision; up to order 4, in two Beta values. The derivation is in
 //! `docs/closed-forms.md`. The crate shares no formula with the engine of `restitution-series` but the exact
-//! factor between the two ends of contact, so that each can test the other.
+//! factor between the two ends of contact, so that each can test the other; [`coefficients`] takes the cheaper of the two.
 
 mod algebra;
 mod beta;

@@ -1,4 +1,16 @@
 //! Exact power series of the damped collision and the expansion coefficients they give.
+//!
+//! | to know | ask |
+//! |---|---|
+//! | coefficients of `epsilon` and of the largest compression, to any order with any number of proved digits | [`coefficients`], of a [`Quantity`] |
+//! | the trajectory as exact series in time | [`Trajectories`], or [`TimeOrder`] up to a power of time |
+//! | the end at zero force | [`DelayedRecovery`], exact |
+//! | bounds of what is cut off | [`TailBound`] |
+//! | the approximate theory of the paper's section III | [`ApproximateTheory`] |
+//! | half the duration of the undamped collision | [`turning_time`] |
+//!
+//! Trajectories come from modular arithmetic, coefficients from fixed-point numbers whose errors are proved afterwards: docs/error-bounds.md has the
+//! theorems, docs/notation.md the names.
 
 mod approximate;
 mod bounds;

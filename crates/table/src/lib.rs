@@ -1,4 +1,7 @@
 //! Tables of exact and certified numbers, and the forms in which they are printed.
+//!
+//! A [`Table`] has named columns and rows of [`Cell`]s; [`Table::render`] prints it as text, CSV, JSON, LaTeX or Markdown ([`Format`]). Digits pass
+//! through as they are given: nothing is rounded on the way, and a cell that is rounded says so by how it was made.
 
 mod format;
 mod render;

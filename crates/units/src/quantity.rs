@@ -150,7 +150,7 @@ pub fn all_or_none(values: &[Quantity]) -> Result<(), UnitError> {
 /// Defines clap value parsers, one for each dimension.
 macro_rules! value_parsers {
     ($($name:ident $dimension:ident),*) => {$(
-        #[doc = concat!("Reads a ", stringify!($name), "; for clap's `value_parser`.")]
+        #[doc = concat!("Reads a quantity of this kind, ", stringify!($name), "; for clap's `value_parser`.")]
         ///
         /// # Errors
         ///

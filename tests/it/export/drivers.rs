@@ -33,7 +33,7 @@ const FORTRAN_FLAGS: &[&[&str]] = &[
     &["-Ofast", "-march=native", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"],
 ];
 
-pub static DRIVERS: [Driver; 8] = [
+pub static DRIVERS: &[Driver] = &[
     Driver {
         test: "rust",
         language: "rust",

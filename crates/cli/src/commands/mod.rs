@@ -50,7 +50,7 @@ pub enum Command {
     Trajectory(trajectory::TrajectoryArgs),
     /// Print coefficients of restitution by certified direct integration
     Epsilon(Box<epsilon::EpsilonArgs>),
-    /// Write an evaluator of epsilon(u) in Rust, C, Fortran, Python, Julia, JavaScript or MATLAB
+    /// Write an evaluator of epsilon(u) as source code, in C, Fortran, Python and other languages
     Export(Box<export::ExportArgs>),
     /// Judge the statements of the papers, one by one
     Audit(audit::AuditArgs),

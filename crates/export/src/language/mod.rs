@@ -49,7 +49,7 @@ struct Rows {
 }
 
 /// Every language, in the order of the documents.
-pub static LANGUAGES: [&Language; 7] = [
+pub static LANGUAGES: &[&Language] = &[
     &rust::LANGUAGE,
     &c::LANGUAGE,
     &fortran::LANGUAGE,
@@ -90,7 +90,7 @@ impl Language {
             .find(|language| language.name == wanted || language.aliases.contains(&wanted.as_str()));
         found.copied().ok_or_else(|| ExportError::Language {
             name: name.trim().to_owned(),
-            known: LANGUAGES.map(|language| language.name).join(", "),
+            known: LANGUAGES.iter().map(|language| language.name).collect::<Vec<_>>().join(", "),
         })
     }
 
