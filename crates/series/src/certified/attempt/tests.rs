@@ -247,7 +247,8 @@ fn powers_have_the_bits_for_them() {
 
 #[test]
 fn norms_are_those_of_the_larger_power() {
-    for (text, lambda, of_friction) in [("3/2,1/2", 0.5, false), ("3/2,3", 0.5, true), ("3,1/10", 0.5, false)]
+    for (text, lambda, of_friction) in
+        [("3/2,1/2", 0.5, false), ("3/2,3", 0.5, true), ("3/2,3", 0.05, true), ("3,1/10", 0.5, false)]
     {
         let law: ForceLaw = text.parse().unwrap();
         let request = Request { law: &law, damping: 3, last: 3 };
