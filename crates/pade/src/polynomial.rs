@@ -126,6 +126,12 @@ mod tests {
     }
 
     #[test]
+    fn products_with_nothing_are_nothing() {
+        assert!(product(&Rationals, &poly(&[]), &poly(&[1, 2, 3])).is_empty());
+        assert!(product(&Rationals, &poly(&[1, 2, 3]), &poly(&[])).is_empty());
+    }
+
+    #[test]
     fn values_and_slopes() {
         let p = poly(&[1, 2, 3]);
         assert_eq!(evaluate(&Rationals, &p, &poly(&[2])[0]), poly(&[17])[0]);

@@ -92,7 +92,7 @@ fn the_largest_error_is_looked_for_twice_more_closely() {
 /// `x (1 - x)` reaches 3/16 at 1/4, and 1/4, nowhere exceeded, at 1/2.
 #[test]
 fn errors_stay_below_a_level_up_to_where_they_reach_it() {
-    let points = grid(&ratio(0, 1), &ratio(1, 2), 6).unwrap();
+    let points = grid(&ratio(0, 1), &ratio(1, 2), 7).unwrap();
     let reach = |level: BigRational| largest_reach(&hill(), &points, &level, one).unwrap();
     assert_eq!(reach(ratio(1, 4)), Reach::Everywhere);
     assert_eq!(reach(ratio(1, 3)), Reach::Everywhere);

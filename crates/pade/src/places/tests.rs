@@ -65,6 +65,15 @@ fn zeros_are_enclosed_one_by_one() {
     }
 }
 
+/// Zeros that four hundred halvings don't tell apart are said to be open, not sought for ever.
+#[test]
+fn zeros_too_close_to_each_other_are_open() {
+    let close = |halvings: i32| [ratio(1, 3), ratio(1, 3) + ratio(1, 2).pow(halvings)];
+    assert!(places(&Rationals, &from_roots(&close(300)), 2).is_ok());
+    let found = places(&Rationals, &from_roots(&close(500)), 2);
+    assert!(matches!(found, Err(PadeError::Undecided { .. })));
+}
+
 /// Halving goes on while it must, and no longer.
 #[test]
 fn enclosures_are_as_wide_as_the_digits_allow() {

@@ -83,6 +83,8 @@ fn counts_of_balls_are_certain_or_open() {
     // (x - 1)^2 may have two zeros, one or none.
     let double = wide(&[1, -2, 1], 1e-6);
     assert!(matches!(count(&double, &Interval::HalfLine), Err(PadeError::Undecided { .. })));
+    // (x + 1)^2 has none, whatever the radii: no coefficient changes its sign.
+    assert_eq!(count(&wide(&[1, 2, 1], 1e-6), &Interval::HalfLine), Ok(Some(0)));
     // A constant term that may vanish, a leading one that may.
     assert!(matches!(
         count(&[ball(0, 1.0), ball(1, 0.0)], &Interval::HalfLine),
