@@ -13,14 +13,9 @@ pub(crate) struct Exponents {
     pub velocity: (i64, i64),
 }
 
-/// `-v eps^p` for `eps = exp L`, below `v^len`.
+/// `-v eps^p` for `eps = exp L`, below `v^len`, with `L` to at least as many terms.
 pub(crate) fn image(shop: &Workshop, l: &Fixed, exponents: Exponents, len: usize) -> Fixed {
-    let power = power_of_exponential(shop, &l.truncated(len), exponents.velocity);
-    let mut padded = power.truncated(len);
-    if padded.len() < len {
-        padded.extend(&Fixed::zero(len - padded.len(), shop.width()));
-    }
-    padded.stepped().negated()
+    power_of_exponential(shop, &l.truncated(len), exponents.velocity).stepped().negated()
 }
 
 /// `ln eps` below `v^len`, by Newton's iteration on `exp(q L) y(-v exp(p L)) = y(v)`:

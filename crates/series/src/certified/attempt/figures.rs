@@ -261,3 +261,16 @@ C -3.80570364097e-1 1.1823924348639187e-12
 C 2.12632378945e-1 2.127481000139338e-12";
     pinned(&figures("7/3,5/6", 4, 72, 0.6, 24), expected);
 }
+
+/// Where rows are multiplied in blocks: the last coefficients alone.
+#[test]
+fn spheres_in_blocks() {
+    let expected = "\
+motion 17856064.45216769 44640161.13037457
+C 9.86817731544e-11 5.6137335518033355e-40
+C -1.38644991553e-10 4.5166652067906116e-40";
+    let found = figures("3/2,1/2", 66, 192, 1.0, 16);
+    let last: Vec<&str> =
+        found.lines().filter(|line| line.starts_with("motion")).chain(found.lines().rev().take(2)).collect();
+    pinned(&last.join("\n"), expected);
+}
