@@ -48,7 +48,7 @@ impl Sides {
     pub(crate) fn overflow(&self, coefficients: &[Integer], bits: u32) -> Ball {
         let order = coefficients.len() - 1;
         let mut sum = zero();
-        for j in 1..self.damping.len() {
+        for j in 0..self.damping.len() {
             let first = (order - j).min(order);
             let part = size(&coefficients[first..], bits) * size(&self.damping[j..=j], bits);
             sum += part;
