@@ -3,7 +3,7 @@
 use crate::envelope::{Envelope, upper_half};
 use crate::equation::Equation;
 use crate::fixed::{
-    BOUND_BITS, from_fixed, lower_bound, power_of_two, size, to_fixed, unit, upper_bound, zero,
+    BOUND_BITS, exact_fixed, from_fixed, lower_bound, power_of_two, size, unit, upper_bound, zero,
 };
 use crate::online::Online;
 use crate::phase_sides::Sides;
@@ -67,8 +67,7 @@ impl PhaseArc {
         let (bits, order) = (equation.prec, equation.order);
         let scale = i64::from(from.v.get_exp()?);
         let sides = Sides::expand(equation, &from.z, end, scale)?;
-        let start =
-            to_fixed(&Ball::exact(from.v.clone()).shifted(i32::try_from(-scale).ok()?), bits, &mut zero());
+        let start = exact_fixed(&Ball::exact(from.v.clone()).shifted(i32::try_from(-scale).ok()?), bits)?;
         let coefficients = taylor(&sides, start, order, bits);
 
         let total = size(&coefficients, bits);
