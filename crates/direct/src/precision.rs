@@ -8,12 +8,9 @@ const GUARD_BITS: u32 = 44;
 /// The working precision at which the search for digits ends.
 const LARGEST_PRECISION: u32 = 1 << 18;
 
-/// Bits beyond the first ones after which a speed that no run tells from 0 is given up: the time grows like their cube, and
-/// what is that small is no rebound that anybody measures.
+/// Bits beyond the first ones after which a speed that no run tells from 0, or a motion without a step that can be proved,
+/// is given up: the time grows like their cube, and what is that small is no rebound that anybody measures.
 const FAINT_BITS: u32 = 512;
-
-/// How often a step that cannot be proved is tried again at higher precision.
-const RETRIES: u32 = 4;
 
 /// The working precision with which to try `digits` digits first.
 pub(crate) fn first_precision(digits: usize) -> u32 {
@@ -27,15 +24,13 @@ pub(crate) fn proved(
     mut enclose: impl FnMut(u32) -> Result<Ball, DirectError>,
 ) -> Result<Ball, DirectError> {
     let mut prec = first;
-    let mut vanished = 0;
     while prec <= LARGEST_PRECISION {
+        let last = prec >= first.saturating_add(FAINT_BITS);
         match enclose(prec) {
             Ok(ball) if ball.to_digits(digits).is_some() => return Ok(ball),
-            Ok(ball) if !ball.is_finite() && prec >= first.saturating_add(FAINT_BITS) => {
-                return Err(DirectError::Faint { bits: prec });
-            }
+            Ok(ball) if !ball.is_finite() && last => return Err(DirectError::Faint { bits: prec }),
             Ok(_) => {}
-            Err(DirectError::StepVanished { .. }) if vanished < RETRIES => vanished += 1,
+            Err(DirectError::StepVanished { .. }) if !last => {}
             Err(error) => return Err(error),
         }
         prec += prec / 2;
@@ -63,5 +58,10 @@ mod tests {
         let slowly =
             |prec: u32| Ball::from_ratio(1, 3, prec).widened(&rug::Float::with_val(32, 0.5).pow(prec / 32));
         assert!(proved(10, 80, |prec| Ok(slowly(prec))).is_ok());
+        // Steps that vanish are tried again as long.
+        let vanished = || DirectError::StepVanished { length: "1e-9".into() };
+        let few = |prec| if prec < 405 { Err(vanished()) } else { Ok(Ball::from_ratio(1, 3, prec)) };
+        assert!(proved(10, 80, few).is_ok());
+        assert!(matches!(proved(10, 80, |_| Err(vanished())), Err(DirectError::StepVanished { .. })));
     }
 }

@@ -185,11 +185,11 @@ fn others() -> [Contestant; 8] {
         .at_zero_force(),
         Contestant {
             kernel: from_velocities(inner),
-            ..Contestant::new(Evaluator, "evaluator from velocities, zero compression", "g", |u| u)
+            ..Contestant::new(Evaluator, "evaluator from g, zero compression", "g", |u| u)
         },
         Contestant {
             kernel: from_velocities(outer),
-            ..Contestant::new(Evaluator, "evaluator from velocities, zero force", "g (force)", |u| u)
+            ..Contestant::new(Evaluator, "evaluator from g, zero force", "g (force)", |u| u)
         }
         .at_zero_force(),
     ]
