@@ -210,6 +210,46 @@ const FEW_TERMS: usize = 33;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use restitution_law::ForceLaw;
+
+    fn energy(value: f64) -> Ball {
+        Ball::from_f64(value, BOUND_BITS)
+    }
+
+    #[test]
+    fn a_velocity_is_known_as_long_as_the_error_leaves_its_sign() {
+        // |V - v| <= energy/|v| while energy < v^2; speeds on both sides of 1 and 2, where v^2 is v + v.
+        for v in [-0.5, 0.75, 1.5, -3.0] {
+            let ball = Ball::from_f64(v, 64);
+            let near = velocity_near(&ball, &energy(0.9 * v * v));
+            let (off, bound) = (near.rad().to_f64(), 0.9 * v.abs());
+            assert!(off >= bound && off < 1.001 * bound, "{v}: {near:?}");
+            for beyond in [1.0, 1.1, 1.9] {
+                let unknown = velocity_near(&ball, &energy(beyond * v * v));
+                assert!(!unknown.is_finite(), "{v} {beyond}: {unknown:?}");
+            }
+        }
+        assert!(!velocity_near(&Ball::from_f64(0.0, 64), &energy(1e-9)).is_finite());
+        assert!(
+            !velocity_near(&Ball::from_f64(1.0, 64).widened(&Float::with_val(64, 1)), &energy(0.0))
+                .is_finite()
+        );
+    }
+
+    #[test]
+    fn an_arc_whose_error_could_bring_the_motion_to_rest_is_refused() {
+        // A short arc at v = 1 keeps most of its speed: the energy of the error has to stay below the square of it.
+        let equation = Equation::new(&ForceLaw::viscoelastic_spheres(), &Ball::from_ratio(1, 2, 80), 80);
+        let (z, end) = (Float::with_val(80, 0.25), Float::with_val(80, 0.2501));
+        let arc = |value: f64| {
+            let from = PhasePoint { z: z.clone(), v: Float::with_val(80, 1), energy: energy(value) };
+            PhaseArc::follow(&equation, &from, &end)
+        };
+        assert!(arc(0.95).is_some_and(|arc| arc.energy.to_f64() < 0.96));
+        for value in [1.0, 1.2, 1.5, 2.0, 3.9, 5.0] {
+            assert!(arc(value).is_none(), "{value}");
+        }
+    }
 
     #[test]
     fn a_polynomial_that_changes_its_sign_has_no_least_speed() {

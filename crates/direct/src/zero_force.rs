@@ -120,3 +120,28 @@ fn newton(equation: &Equation, arc: &PhaseArc) -> (Ball, Ball) {
     }
     best
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use restitution_law::ForceLaw;
+
+    /// Spheres, `q = 2`, `A = 5`, `A - B = 2`, at `u = 1/2`: near contact the force vanishes at `w = 2 z^2`.
+    #[test]
+    fn what_elastic_energy_is_left_is_in_the_speed() {
+        let equation = Equation::new(&ForceLaw::viscoelastic_spheres(), &Ball::from_ratio(1, 2, 100), 100);
+        let z = Float::with_val(100, 0.125);
+        let ask = |speed: f64, settled: f64| {
+            let (v, energy) = (Float::with_val(100, -speed), Ball::from_f64(0.0, BOUND_BITS));
+            none_left(&equation, &PhasePoint { z: z.clone(), v, energy }, &Float::with_val(100, settled))
+        };
+        let speed = 0.0078125;
+        // w_f^2 <= w^2 + 2 q z^A/A = w^2 + (4/5) z^5.
+        let most = (speed * speed + 0.8 * 0.125_f64.powi(5)).sqrt();
+        let found = ask(speed, 0.125).expect("positive balance where the energy no longer counts");
+        assert!(found.lower() <= speed && found.lower() > 0.999 * speed, "{found:?}");
+        assert!(found.upper() >= most && found.upper() < 1.001 * most, "{found:?} {most}");
+        assert!(ask(speed, 0.12).is_none(), "not settled");
+        assert!(ask(0.04, 0.125).is_none(), "the force is negative");
+    }
+}
