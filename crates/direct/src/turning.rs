@@ -81,3 +81,50 @@ pub(crate) fn return_to_phase(equation: &Equation, z: Float, v: Float, off: Ball
     let proved = room.is_positive() && !(ratio - Ball::from_integer(2, BOUND_BITS)).is_positive();
     proved.then(|| PhasePoint { z, v, energy: off.shifted(1) })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use restitution_law::ForceLaw;
+
+    /// Spheres at `z = 1`: `y = 2/5`, `K = u`.
+    fn equation(u: f64) -> Equation {
+        Equation::new(&ForceLaw::viscoelastic_spheres(), &Ball::from_f64(u, 80), 80)
+    }
+
+    fn number(x: f64) -> Float {
+        Float::with_val(80, x)
+    }
+
+    #[test]
+    fn an_error_of_the_speed_is_one_of_the_potential_energy() {
+        let point = PhasePoint { z: number(1.0), v: number(0.5), energy: Ball::from_f64(0.01, BOUND_BITS) };
+        let turning = enter(&equation(0.5), &point).expect("a sound point");
+        // |v - V| <= 0.02, dy/dv <= v: 0.02 (0.5 + 0.02), times the force 1 + 0.52 K with K = 1/2, a little more around.
+        let spread = turning.spread.to_f64();
+        assert!((0.0104..0.01041).contains(&spread), "{spread}");
+        let energy = turning.energy.to_f64();
+        assert!((0.013_104..0.0132).contains(&energy), "{energy}");
+        let unknown = PhasePoint { energy: Ball::whole_line(BOUND_BITS), ..point };
+        assert!(enter(&equation(0.5), &unknown).is_none());
+    }
+
+    #[test]
+    fn the_coordinate_serves_where_the_speed_has_room_and_the_force_a_bound() {
+        let back = |u: f64, v: f64, off: f64| {
+            return_to_phase(&equation(u), number(1.0), number(v), Ball::from_f64(off, BOUND_BITS))
+        };
+        // 8 off < v^2, at speeds on both sides of 1.
+        for v in [-0.5, -1.0, -1.5] {
+            let limit = v * v / 8.0;
+            let point = back(0.2, v, 0.9 * limit).expect("room");
+            assert!((point.energy.to_f64() / (1.8 * limit) - 1.0).abs() < 1e-9, "{v}");
+            for beyond in [1.0, 1.1, 1.5] {
+                assert!(back(0.2, v, beyond * limit).is_none(), "{v} {beyond}");
+            }
+        }
+        // |v| K <= 2 for speeds up to half more.
+        assert!(back(1.2, -0.9, 1e-6).is_some());
+        assert!(back(1.7, -0.9, 1e-6).is_none());
+    }
+}

@@ -154,3 +154,35 @@ fn exponent(equation: &Equation) -> BigRational {
 fn positive(bound: Ball) -> Ball {
     if bound.is_positive() { bound } else { zero() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use restitution_law::ForceLaw;
+
+    /// Spheres at `u = 1/2` around `x = 1`, where `y = 2/5` and `K = 1/2`: a short step, begun with an error.
+    fn step(v: f64, energy: f64) -> Option<TurningStep> {
+        let equation = Equation::new(&ForceLaw::viscoelastic_spheres(), &Ball::from_ratio(1, 2, 80), 80);
+        let energy = Ball::from_f64(energy, BOUND_BITS);
+        let from = TurningPoint {
+            v: Float::with_val(80, v),
+            y: Float::with_val(80, 0.4),
+            spread: energy.clone(),
+            energy,
+        };
+        follow(&equation, &from, &Float::with_val(80, v - 1.0 / 1024.0))
+    }
+
+    #[test]
+    fn the_motion_has_to_stay_where_the_bounds_of_the_force_hold() {
+        // A quarter of y around the polynomial is the widest neighbourhood: energies up to 0.1 times the least force,
+        // which is 1 on the way in and 1 - 0.9 K (5/3)^(2/5) = 0.448 at the speed 0.9 on the way out.
+        for (v, least) in [(0.5, 1.0), (-0.9, 0.448)] {
+            let reached = step(v, 0.09 * least).expect("room").reached;
+            assert!(reached.energy.to_f64() < 0.09 * least && reached.energy.to_f64() > 0.08 * least, "{v}");
+            for beyond in [0.11, 0.15, 0.3] {
+                assert!(step(v, beyond * least).is_none(), "{v} {beyond}");
+            }
+        }
+    }
+}
