@@ -25,9 +25,7 @@ pub enum DirectError {
         what: &'static str,
     },
     /// No step could be proved any more at this precision.
-    #[error(
-        "no step of the integration could be proved below a length of {length}: ask for other digits or a less extreme u"
-    )]
+    #[error("no step of the integration could be proved below a length of {length}: give a less extreme u")]
     StepVanished {
         /// The last length that was tried.
         length: String,
