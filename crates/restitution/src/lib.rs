@@ -54,7 +54,7 @@
 //! [`bounds`] holds every bound of the evaluator once, with what it rests on and the test that keeps it; documents and
 //! comments are compared with it. The main ones: [`epsilon`] has [`EPSILON`](crate::bounds::EPSILON), at most 2 ulp (proved) but at zero force
 //! beyond `u = 1023.99`; [`one_minus_epsilon`] has [`ONE_MINUS_EPSILON`](crate::bounds::ONE_MINUS_EPSILON), at most 3 ulp (proved); from a velocity
-//! it is [`EPSILON_OF_VELOCITY`](crate::bounds::EPSILON_OF_VELOCITY), at most 3.1 ulp (proved). A batch gives the bits of single calls; a tier keeps its
+//! it is [`EPSILON_OF_VELOCITY`](crate::bounds::EPSILON_OF_VELOCITY), at most 3 ulp (proved). A batch gives the bits of single calls; a tier keeps its
 //! [`tolerance`](tiers::Tier::tolerance).
 #![cfg_attr(not(feature = "std"), no_std)]
 

@@ -146,8 +146,15 @@ fn error_of_root(t: f64, u: f64) -> f64 {
     half_unit(t.abs() + 0.0025 * u) + half_unit(t) + 0.02 * u * f64::EPSILON / 2.0
 }
 
-/// What the rounding of `f g` changes `epsilon` by at most, relatively: the logarithm of `epsilon` falls no faster than that of `g` grows.
-const PRODUCT: f64 = f64::EPSILON / 2.0;
+/// What the rounding of `f g` changes `epsilon` by at most, relatively: the logarithm of `epsilon` falls no faster than that of `g` grows at zero
+/// compression, and a third as fast at zero force (docs/evaluator.md, the second lemma).
+fn error_of_product(end: End) -> f64 {
+    let fall = match end {
+        End::ZeroCompression => 1.0,
+        End::ZeroForce => 1.0 / 3.0,
+    };
+    fall * (f64::EPSILON / 2.0)
+}
 
 /// Proves a piece of the table, as far as it lies between `low` and `high`.
 fn piece(interpolant: &Interpolant, form: &Form, low: f64, high: f64, end: End) -> Proof {
@@ -162,7 +169,7 @@ fn piece(interpolant: &Interpolant, form: &Form, low: f64, high: f64, end: End) 
     for (at, t) in parts(low, high, form.centre, error) {
         let kept: Rounded = form.epsilon(t);
         proof.epsilon = proof.epsilon.or(kept.units(missed), at);
-        proof.of_velocity = proof.of_velocity.or(of_velocity(form, t, high, missed), at);
+        proof.of_velocity = proof.of_velocity.or(of_velocity(form, t, high, missed, end), at);
         proof.approximation = proof.approximation.or((missed - constant) / kept.low, at);
         if form.centre + t.high >= forms::near_end(end) {
             let lost: Rounded = form.one_minus_epsilon(t);
@@ -173,10 +180,10 @@ fn piece(interpolant: &Interpolant, form: &Form, low: f64, high: f64, end: End) 
 }
 
 /// A bound of `epsilon` from a velocity, in units, of a part of a piece whose `u` is at most `high`.
-fn of_velocity(form: &Form, t: Rounded, high: f64, missed: f64) -> f64 {
+fn of_velocity(form: &Form, t: Rounded, high: f64, missed: f64, end: End) -> f64 {
     let error = error_of_root(t.low.abs().max(t.high.abs()), high);
     let kept: Rounded = form.epsilon(Rounded::new(t.low, t.high, error));
-    kept.units(missed + kept.high * PRODUCT)
+    kept.units(missed + kept.high * error_of_product(end))
 }
 
 /// The parts of a piece between two ends, as distances from its centre that are computed within an error.
@@ -224,7 +231,8 @@ pub fn saturated() -> Result<Proof, DirectError> {
             let (kept, lost): (Rounded, Rounded) = (form.epsilon(t), form.one_minus_epsilon(t));
             proof.epsilon = proof.epsilon.or(kept.units(missed), at);
             proof.one_minus_epsilon = proof.one_minus_epsilon.or(lost.units(missed), at);
-            proof.of_velocity = proof.of_velocity.or(of_velocity(&form, t, high, missed), at);
+            proof.of_velocity =
+                proof.of_velocity.or(of_velocity(&form, t, high, missed, End::ZeroCompression), at);
             proof.approximation = proof.approximation.or((all - constant) / limit, at);
         }
     }
@@ -251,4 +259,27 @@ fn near(interpolant: &Interpolant, low: f64, high: f64, end: End) -> Proof {
 
 fn collision(end: End) -> Result<Collision, DirectError> {
     Collision::new(&ForceLaw::viscoelastic_spheres(), end)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `epsilon(k g)` against `epsilon(g)`, from small velocities to large ones, where the limits of the lemmas are reached.
+    #[test]
+    fn a_product_is_worth_what_the_lemmas_say() {
+        let k = 1.0 + 1.0 / 32.0; // of u: its fifth power of the velocity
+        for end in [End::ZeroCompression, End::ZeroForce] {
+            let collision = collision(end).unwrap();
+            let logarithm =
+                |u: f64| collision.enclose(&Ball::from_f64(u, PREC), PREC).unwrap().ln().mid().to_f64();
+            let falls = [0.001, 0.1, 0.7, 1.5, 3.0, 8.0, 60.0, 900.0]
+                .map(|u| (logarithm(u) - logarithm(k * u)) / (5.0 * k.ln()));
+            let stated = error_of_product(end) / (f64::EPSILON / 2.0);
+            let roundings = 1e-12; // of logarithms below 40, divided by 0.15
+            let most = falls.iter().copied().fold(0.0, f64::max);
+            assert!(falls.iter().all(|fall| *fall > 0.0), "{end:?}: {falls:?}");
+            assert!(most <= stated + roundings && most > 0.97 * stated, "{end:?}: {falls:?}");
+        }
+    }
 }

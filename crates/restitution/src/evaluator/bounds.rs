@@ -107,11 +107,11 @@ pub const ONE_MINUS_EPSILON: Bound = Bound {
 pub const EPSILON_OF_VELOCITY: Bound = Bound {
     quantity: "`Restitution::epsilon(g)`",
     domain: "u as for `epsilon`, f g an f64; results that are normal",
-    size: 3.1,
+    size: 3.0,
     unit: Unit::Ulp,
     evidence: Evidence::Proved,
     observed: 1.19,
-    reason: "that of epsilon, and the rounding of f g, which is one unit of epsilon at most; the last rounding may count one where the result lies below a power of two",
+    reason: "that of epsilon, and the rounding of f g, which is one unit of epsilon at most, a third of it at zero force; the last rounding may count one where the result lies below a power of two",
     test: PROVED,
 };
 

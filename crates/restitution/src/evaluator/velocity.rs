@@ -18,7 +18,7 @@ use super::zero_force::ZeroForce;
 ///
 /// # Error bound
 ///
-/// [`bounds::EPSILON_OF_VELOCITY`](crate::bounds::EPSILON_OF_VELOCITY): at most 3.1 ulp (proved). `u` enters with more than the bits of an f64, the product `f g` is
+/// [`bounds::EPSILON_OF_VELOCITY`](crate::bounds::EPSILON_OF_VELOCITY): at most 3 ulp (proved). `u` enters with more than the bits of an f64, the product `f g` is
 /// rounded, and `|d ln epsilon/d ln g| <= 1`. `f` itself is within 4 ulp of the value that `g*` or
 /// `u_1` stands for, which changes the coefficient at most as much as a change of the velocity in the
 /// same proportion.
