@@ -218,3 +218,6 @@ fn ranges(coefficients: &[Integer], bits: u32) -> Vec<Ball> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests;
