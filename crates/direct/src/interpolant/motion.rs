@@ -330,3 +330,6 @@ fn decay(coordinate: &Jets, flow: &Flow) -> f64 {
     let last = (1..=flow.order).rev().find(|k| height(*k) > NOISE).unwrap_or(1);
     (last - last / 4..=last).map(|k| (top - height(k)) / k as f64).fold(f64::INFINITY, f64::min)
 }
+
+#[cfg(test)]
+mod tests;
