@@ -117,3 +117,43 @@ fn across_branch(equation: &Equation, point: &PhasePoint) -> Ball {
     let defect = first_order_defect(equation, &point.z, &fallen) / exit.abs();
     velocity_near(&exit, &upper_bound(&(upper_bound(&missed) + upper_bound(&defect) + &point.energy))).abs()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixed::BOUND_BITS;
+
+    /// `P = c - q u z - (q/(A c)) z^A` where the iteration for `c` has not settled: what is missed counts, in `v^2`.
+    #[test]
+    fn the_first_order_way_to_zero_counts_what_it_misses() {
+        // q = 6/11, A = 20/11, B = 1
+        let (q, a, u): (f64, f64, f64) = (6.0 / 11.0, 20.0 / 11.0, 0.5);
+        let equation = Equation::new(&"7/3,5/6".parse().unwrap(), &Ball::from_f64(u, 80), 80);
+        for (z, v) in [(0.4_f64, -0.75_f64), (0.5, -0.9)] {
+            let at = |energy: f64| {
+                let (z, v) = (Float::with_val(80, z), Float::with_val(80, v));
+                across_branch(&equation, &PhasePoint { z, v, energy: Ball::from_f64(energy, BOUND_BITS) })
+            };
+            let (damping, elastic) = (q * u * z, q / a * z.powf(a));
+            let mut exit = v + damping;
+            for _ in 0..4 {
+                exit = v + damping + elastic / exit;
+            }
+            let missed = (exit - damping - elastic / exit - v).abs() * 2.0 * (v.abs() + 1.0);
+            let defect = 2.0 * elastic * (damping + (elastic / exit).abs()) / exit.abs();
+            for energy in [0.0, 0.01] {
+                let wanted = (missed + defect + energy) / exit.abs();
+                let found = at(energy);
+                assert!(missed > 1e-5 && (found.mid().to_f64() + exit).abs() < 1e-12, "{missed}");
+                assert!((found.rad().to_f64() / wanted - 1.0).abs() < 1e-9, "{found:?} {wanted}");
+            }
+            // The energy has to stay below the square of the speed.
+            let left = exit * exit - missed - defect;
+            assert!(at(0.999 * left).is_finite() && !at(1.001 * left).is_finite());
+        }
+        // A speed that is taken away by friction has no way to zero.
+        let (z, v) = (Float::with_val(80, 0.4), Float::with_val(80, -0.1));
+        let energy = Ball::from_f64(0.0, BOUND_BITS);
+        assert!(!across_branch(&equation, &PhasePoint { z, v, energy }).is_finite());
+    }
+}

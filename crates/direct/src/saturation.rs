@@ -186,3 +186,71 @@ pub fn saturation_radius(law: &ForceLaw, digits: usize) -> Result<Ball, DirectEr
 pub fn saturation_speed(law: &ForceLaw, digits: usize) -> Result<Ball, DirectError> {
     proved(digits, first_precision(digits), |prec| Ok(Saturation::enclose(law, prec)?.exit_speed))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn law(text: &str) -> ForceLaw {
+        text.parse().unwrap()
+    }
+
+    #[test]
+    fn speeds_saturate_where_damping_is_the_weaker_for_small_and_the_stronger_for_fast_bodies() {
+        for (text, exists) in [
+            ("3/2,1/2", true),
+            ("2,1", true),
+            ("1,0", false),
+            ("3,1/2", false),
+            ("1,1", false),
+            ("1,2", false),
+        ] {
+            assert_eq!(Saturation::exists(&law(text)), exists, "{text}");
+        }
+    }
+
+    /// Prop. 6 for spheres: `k = 1/z`, and all speeds lie between `z^2` and `(1 + 2 k) z^2`.
+    #[test]
+    fn the_funnel_holds_every_speed_where_it_is_narrow() {
+        let equation = Equation::new(&law("3/2,1/2"), &Ball::from_integer(1, 80), 80);
+        let of = |z: f64| funnel(&equation, &Float::with_val(80, z));
+        let point = of(16.0).unwrap();
+        assert_eq!(point.v, -256.0 * (1.0 + 1.0 / 16.0));
+        let energy = 65_536.0 * (81.0 / 64.0 - 1.0);
+        assert!((point.energy.to_f64() / energy - 1.0).abs() < 1e-12 && point.energy.upper() >= energy);
+        assert!(of(8.001).is_ok());
+        for narrow in [7.999, 4.0, 1.0] {
+            assert!(of(narrow).is_err(), "{narrow}");
+        }
+    }
+
+    /// The impact speed of Prop. 6: the curve of zero force is met from `z_2` on, friction alone takes what is more.
+    #[test]
+    fn faster_bodies_have_met_the_curve() {
+        for (text, q, a, b) in [
+            ("3/2,1/2", 2.0, 5.0, 3.0),
+            ("2,1", 1.0, 3.0, 2.0),
+            ("7/3,5/6", 6.0 / 11.0, 20.0 / 11.0, 1.0),
+            ("3/2,1", 2.0, 5.0, 4.0),
+        ] {
+            let equation = Equation::new(&law(text), &Ball::from_integer(1, 80), 80);
+            let c = &equation.coordinate;
+            assert_eq!([&c.q, &c.elastic, &c.damping].map(ratio), [q, a, b], "{text}");
+            let first = 9.0 / 8.0 * 12.0_f64;
+            let rate = q * first.powf(2.0 * b - a - 1.0);
+            let second = first - (1.0 - (8.0_f64 / 9.0).powf(a - b)).ln() / rate;
+            let wanted = 2.0 * q * second.powf(b) / b + second.powf(a - b);
+            let found = needed_speed(&equation, &Float::with_val(80, 12)).to_f64();
+            assert!((found / wanted - 1.0).abs() < 1e-12, "{text}: {found} {wanted}");
+        }
+        let speed = |u: f64, needed: f64| {
+            let (exit_speed, power) = (Ball::from_integer(5, 80), BigRational::from_integer(5.into()));
+            Saturation { exit_speed, needed: Ball::from_f64(needed, 80), power }
+                .epsilon(&Ball::from_f64(u, 80))
+        };
+        assert!((speed(2.0, 31.9).unwrap().to_f64() - 5.0 / 32.0).abs() < 1e-15);
+        for needed in [32.0, 32.1, 1000.0] {
+            assert!(speed(2.0, needed).is_none());
+        }
+    }
+}

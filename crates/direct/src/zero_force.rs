@@ -63,7 +63,12 @@ pub(crate) fn locate(equation: &Equation, arc: &PhaseArc) -> ForceZero {
 /// The speed at a zero of the force that lies on the arc.
 fn speed_at_zero(equation: &Equation, arc: &PhaseArc) -> Ball {
     let (z, speed) = newton(equation, arc);
-    let off = equation.balance(&z, &speed).abs();
+    around_zero(equation, &z, &speed)
+}
+
+/// The speed at the zero of the force next to a point of the motion; the whole line if it may be farther than a part `2^-20` of the place.
+fn around_zero(equation: &Equation, z: &Ball, speed: &Ball) -> Ball {
+    let off = equation.balance(z, speed).abs();
     // The zero lies within 2 |balance|/((A-B) z^(A-B-1)); the balance there stays within its size.
     let c = &equation.coordinate;
     let low = |x: &Ball| lower_bound(&x.with_prec(BOUND_BITS));
@@ -73,7 +78,7 @@ fn speed_at_zero(equation: &Equation, arc: &PhaseArc) -> Ball {
     let least_rise = low(&rise(&room)).shifted(-1);
     let width = upper_bound(&(upper_bound(&off) / &least_rise));
     let pull = upper_bound(
-        &(equation.rational(&c.q) * room.pow(&(&c.damping - BigRational::one())) / &speed).shifted(1),
+        &(equation.rational(&c.q) * room.pow(&(&c.damping - BigRational::one())) / speed).shifted(1),
     );
     let bent = upper_bound(&(&pull * upper_bound(&off) * upper_bound(&equation.u.abs())));
     let inside = (z.shifted(-NEAR).with_prec(BOUND_BITS) - &width).is_positive()
@@ -82,7 +87,7 @@ fn speed_at_zero(equation: &Equation, arc: &PhaseArc) -> Ball {
         return Ball::whole_line(equation.prec);
     }
     let excess = upper_bound(&(pull * upper_bound(&off) * width));
-    speed.widened(&excess.upper())
+    speed.clone().widened(&excess.upper())
 }
 
 /// Newton's iteration for the zero of the balance on an arc, kept between its ends.
@@ -143,5 +148,37 @@ mod tests {
         assert!(found.upper() >= most && found.upper() < 1.001 * most, "{found:?} {most}");
         assert!(ask(speed, 0.12).is_none(), "not settled");
         assert!(ask(0.04, 0.125).is_none(), "the force is negative");
+    }
+
+    /// Prop. 5 at `z = 1`, where the balance is `g = 1 - u w` and `m` half of 2: the zero within `|g|/m`, the speed up to `2 q g^2/(w m)` more.
+    #[test]
+    fn a_place_that_is_off_counts_by_its_square() {
+        let around = |u: f64, off: f64| {
+            let equation = Equation::new(&ForceLaw::viscoelastic_spheres(), &Ball::from_f64(u, 100), 100);
+            let speed = Ball::from_f64((1.0 - off) / u, 100);
+            (around_zero(&equation, &Ball::from_integer(1, 100), &speed), speed)
+        };
+        let part = f64::exp2(-20.0);
+        let m = 1.0 - part;
+        for sign in [1.0, -1.0] {
+            for u in [0.5, 3.0] {
+                let off = part / 4.0;
+                let (found, speed) = around(u, sign * off);
+                let excess = 4.0 * (1.0 + part).powi(2) / speed.to_f64() * off * off / m;
+                assert!((found.rad().to_f64() / excess - 1.0).abs() < 1e-9, "{found:?} {excess:e}");
+                assert_eq!(found.mid(), speed.mid());
+            }
+            // The zero lies in the part 2^-20 around z, over which m was taken.
+            assert!(around(0.5, sign * 0.999 * part * m).0.is_finite());
+            for beyond in [1.001, 2.0, 1000.0] {
+                assert!(!around(0.5, sign * beyond * part).0.is_finite(), "{beyond}");
+            }
+            // 2 q u z^(B-1) |g|/w <= m, which is narrower where u is large.
+            let limit = f64::exp2(-24.0);
+            assert!(around(2048.0, sign * 0.999 * limit).0.is_finite());
+            for beyond in [1.001, 2.0, 8.0] {
+                assert!(!around(2048.0, sign * beyond * limit).0.is_finite(), "{beyond}");
+            }
+        }
     }
 }
