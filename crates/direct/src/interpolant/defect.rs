@@ -148,3 +148,6 @@ impl Powers {
 pub(crate) fn units(count: usize, bits: u32) -> Ball {
     from_fixed(&Integer::from(count), bits, BOUND_BITS)
 }
+
+#[cfg(test)]
+mod tests;

@@ -137,3 +137,6 @@ fn root(events: &Jets) -> Option<Vec<Integer>> {
     }
     Some(theta)
 }
+
+#[cfg(test)]
+mod tests;

@@ -203,3 +203,6 @@ pub(crate) fn quotient(a: &[Integer], b: &[Integer], bits: u32) -> Option<Vec<In
     }
     Some(out)
 }
+
+#[cfg(test)]
+mod tests;
