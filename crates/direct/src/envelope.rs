@@ -82,5 +82,43 @@ mod tests {
         assert!(truth <= bound && bound < 300.0 * truth, "{truth} {bound}");
     }
 
+    /// `|c_i| <= 2^(top - slope i)` from the first one on, and for one of them no power of two lower.
+    #[test]
+    fn an_envelope_lies_on_its_coefficients() {
+        for c in [[1_000_000_i32, 40, -700, 3, 0], [5, 0, 0, 0, -1], [0, 255, 256, -7, 2], [9, 0, 0, 0, 0]] {
+            for slope in [0.0, 1.5, 4.0] {
+                let e = Envelope::with_slope(&c.map(Integer::from), 10, slope);
+                let above = |i: usize| e.top - slope * i as f64 + 10.0 - f64::from(c[i].abs()).log2();
+                let least = (1..5).filter(|i| c[*i] != 0).map(above).fold(f64::INFINITY, f64::min);
+                assert!(least.is_infinite() || (least > 0.0 && least <= 1.0), "{c:?} {slope}: {least}");
+                assert!(least.is_finite() || e.top == -11.0);
+            }
+        }
+    }
+
+    /// The products of two geometric series from a degree on, summed.
+    #[test]
+    fn what_lies_beyond_a_degree_is_bounded() {
+        for (slope, first, terms) in
+            [(6.0, 4, 3), (3.0, 2, 3), (0.03, 2001, 2000), (0.25, 201, 200), (0.5, 300, 200)]
+        {
+            let e = |top: f64, slope: f64| Envelope { top, slope };
+            let pairs = |k: usize| (k - 1).min(terms).saturating_sub(k.saturating_sub(terms + 1).min(terms));
+            let truth: f64 =
+                (first..=2 * terms).map(|k| pairs(k) as f64 * f64::exp2(2.5 - slope * k as f64)).sum();
+            let bound = beyond(e(-1.5, slope), e(4.0, slope), first, terms).to_f64();
+            let slack = bound / truth;
+            assert!(
+                slack >= 1.0 && slack < if first == terms + 1 { 6.0 } else { 12.0 },
+                "{slope} {first}: {slack}"
+            );
+            // The flatter of the two is taken.
+            assert_eq!(bound, beyond(e(-1.5, slope), e(4.0, slope + 1.0), first, terms).to_f64());
+            assert_eq!(bound, beyond(e(-1.5, slope + 1.0), e(4.0, slope), first, terms).to_f64());
+        }
+        let e = Envelope { top: 0.5, slope: 2.0 };
+        assert_eq!(upper_half(e, e, 7).to_f64(), beyond(e, e, 8, 7).to_f64());
+    }
+
     use rug::ops::Pow;
 }

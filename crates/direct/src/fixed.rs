@@ -107,4 +107,45 @@ mod tests {
         assert!(error.upper() >= 1.0 / 3.0 - 5.0 / 16.0);
         assert!(from_fixed(&third, 4, 64).contains(&Ball::from_ratio(5, 16, 64)));
     }
+
+    #[test]
+    fn what_is_lost_is_at_least_what_it_is_said_to_be() {
+        let of = |ball: &Ball, before: f64| {
+            let mut error = Ball::from_f64(before, BOUND_BITS);
+            (to_fixed(ball, 4, &mut error), error.to_f64())
+        };
+        // Nothing, a unit for the rounding, the radius, both; the error grows.
+        assert_eq!(of(&Ball::from_ratio(-5, 16, 64), 0.5), (Integer::from(-5), 0.5));
+        assert_eq!(of(&Ball::from_f64(0.3, 64), 0.5), (Integer::from(5), 0.5 + 1.0 / 16.0));
+        let wide = |mid: f64| Ball::from_f64(mid, 64).widened(&Float::with_val(64, 0.25));
+        assert_eq!(of(&wide(0.3125), 0.5), (Integer::from(5), 0.75));
+        assert_eq!(of(&wide(0.3), 0.5), (Integer::from(5), 0.75 + 1.0 / 16.0));
+        let mut error = zero();
+        assert_eq!(to_fixed(&Ball::whole_line(64), 4, &mut error), 0);
+        assert!(!error.is_finite());
+        let lossless = |ball: &Ball| exact_fixed(ball, 4);
+        assert_eq!(lossless(&Ball::from_ratio(5, 16, 64)), Some(Integer::from(5)));
+        for lossy in [Ball::from_f64(0.3, 64), wide(0.3125), Ball::whole_line(64)] {
+            assert!(lossless(&lossy).is_none());
+        }
+    }
+
+    #[test]
+    fn bounds_lie_outside() {
+        let third = Ball::from_ratio(1, 3, 100).widened(&Float::with_val(64, 0.125));
+        let (low, high) = (lower_bound(&third), upper_bound(&third));
+        assert!(low.is_exact() && high.is_exact() && low.prec() == BOUND_BITS && high.prec() == BOUND_BITS);
+        assert!(*low.mid() <= third.lower() && *low.mid() > 0.2083);
+        assert!(*high.mid() >= third.upper() && *high.mid() < 0.4584);
+        for none in [lower_bound(&Ball::whole_line(64)), upper_bound(&Ball::whole_line(64))] {
+            assert!(!none.is_finite());
+        }
+        assert_eq!(size(&[3, -5, 0].map(Integer::from), 4).to_f64(), 0.5);
+        let many = size(&[(Integer::from(1) << 70) + 1, Integer::from(-1)], 4);
+        assert!(*many.mid() > (Integer::from(1) << 66) && *many.mid() < (Integer::from(1) << 66) + 16);
+        assert_eq!((unit(4).to_f64(), power_of_two(3).to_f64()), (0.0625, 8.0));
+        assert_eq!(shifted(&Float::with_val(64, 3), 2), 12);
+        assert_eq!(shifted(&Float::with_val(64, 3), i64::MIN), 0);
+        assert!(shifted(&Float::with_val(64, 3), i64::MAX).is_infinite());
+    }
 }
