@@ -41,7 +41,8 @@ pub(crate) fn impact_to_way_out(equation: &Equation, end: End) -> Option<PhasePo
         }
         let TimeStep { end: next, reached } = (0..3).find_map(|shorter| {
             let pace = chart.pace(length * 0.9f64.powi(shorter));
-            TimeArc::expand(equation, &chart, &at, &pace, degree(equation)).prove(&point)
+            let step = TimeArc::expand(equation, &chart, &at, &pace, degree(equation)).prove(&point)?;
+            is_in_contact(equation, &step.reached, end).then_some(step)
         })?;
         (at, point) = (next, reached);
         farthest = farthest.max(&Float::with_val(BOUND_BITS, &point.z));
@@ -77,8 +78,8 @@ fn trial_length(
     for _ in 0..TRIALS {
         let arc = TimeArc::expand(equation, chart, from, &chart.pace(length), degree(equation));
         let factor = (arc.slope() - wanted).exp2();
-        let in_contact = still_in_contact(equation, &arc.end(), end);
-        if factor >= 0.99 && in_contact && arc.prove(&start).is_some() {
+        let proved = || arc.prove(&start).is_some_and(|step| is_in_contact(equation, &step.reached, end));
+        if factor >= 0.99 && proved() {
             best = Some(length);
             if factor < 1.06 {
                 break;
@@ -93,14 +94,35 @@ fn trial_length(
     best
 }
 
-/// Whether contact goes on at a point: coordinate and, where it ends there, force are positive.
-fn still_in_contact(equation: &Equation, at: &FixedPoint, end: End) -> bool {
-    let ball = |n: &Integer| from_fixed(n, equation.prec, BOUND_BITS);
-    let (z, v) = (ball(&at.z), ball(&at.v));
+/// Whether contact is proved to go on at a point: coordinate and, where it ends there, force are positive.
+fn is_in_contact(equation: &Equation, at: &PhasePoint, end: End) -> bool {
+    let (z, v) = (Ball::exact(at.z.clone()).with_prec(equation.prec), at.velocity());
     z.is_positive()
-        && (end == End::ZeroCompression || v.is_positive() || balance(equation, &z, &v).is_positive())
+        && (end == End::ZeroCompression || v.is_positive() || equation.balance(&z, &v.abs()).is_positive())
 }
 
-fn balance(equation: &Equation, z: &Ball, v: &Ball) -> Ball {
-    equation.balance(z, &v.abs())
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Spheres at `u = 1/2`: on the way out the force is positive while `|v| < 2 z^2`.
+    #[test]
+    fn contact_goes_on_where_its_end_is_proved_to_lie_ahead() {
+        let equation = Equation::new(&"3/2,1/2".parse().unwrap(), &Ball::from_ratio(1, 2, 80), 80);
+        let is_in_contact = |z: f64, v: f64, energy: f64, end: End| {
+            let (z, v) = (Float::with_val(80, z), Float::with_val(80, v));
+            is_in_contact(&equation, &PhasePoint { z, v, energy: Ball::from_f64(energy, BOUND_BITS) }, end)
+        };
+        for (v, energy) in [(0.5, 0.0), (-0.5, 0.0), (-1.9, 0.0), (-2.1, 0.0), (-1.9, 1.0), (-0.1, 1.0)] {
+            assert!(is_in_contact(1.0, v, energy, End::ZeroCompression));
+            assert!(!is_in_contact(0.0, v, energy, End::ZeroCompression));
+            assert!(!is_in_contact(-0.1, v, energy, End::ZeroCompression));
+            let ahead = v > -2.0 && energy == 0.0;
+            assert_eq!(is_in_contact(1.0, v, energy, End::ZeroForce), ahead, "{v} {energy}");
+            assert!(!is_in_contact(-1.0, v, energy, End::ZeroForce), "{v}");
+        }
+        // The speed may be 2 z^2 where v^2 may be off by that.
+        assert!(is_in_contact(1.0, -1.9, 0.18, End::ZeroForce));
+        assert!(!is_in_contact(1.0, -1.9, 0.2, End::ZeroForce));
+    }
 }
