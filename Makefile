@@ -3,7 +3,7 @@ CARGO ?= cargo
 .DEFAULT_GOAL := help
 SIZE ?= minutes
 SEED ?= 1
-.PHONY: help table tables test test-core test-python test-page test-forms test-latex attack fuzz test-tools tools fmt clippy doc package publish-dry-run msrv book bench bench-python bench-peers mutants rooms test-codes clean
+.PHONY: help table tables test test-core test-python test-page test-forms test-latex attack fuzz test-tools tools fmt clippy doc package publish-dry-run msrv book bench bench-python bench-peers report mutants rooms test-codes clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-15s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -116,6 +116,12 @@ bench: tools ## measure speed, ours beside what it is compared with
 bench-python: tools $(PYTHON)/ready ## measure the Python package beside formula (35) in NumPy, and in numba if target/python has it
 	$(PYTHON)/bin/pip install --quiet --disable-pip-version-check ./crates/python
 	$(PYTHON)/bin/python bench/python/epsilon.py
+
+report: tools ## measure the report, target/report/index.html, with the times of two builds: for every processor, and for this one
+	$(CARGO) build --release --locked --quiet --package restitution-cli
+	RUSTFLAGS=-Ctarget-cpu=native $(CARGO) build --release --locked --quiet --package restitution-cli --target-dir target/native
+	target/native/release/restitution report --output target/report-native
+	target/release/restitution report --output target/report --beside target/report-native
 
 bench-peers: tools bench/.venv/ready ## measure the series engine against FLINT and PARI/GP in one run
 	$(CARGO) build --release --locked --quiet --package restitution-cli

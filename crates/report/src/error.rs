@@ -1,6 +1,6 @@
 use std::fmt::Display;
 
-/// Why a report could not be made: what a library said; nothing in a report depends on input.
+/// Why a report could not be made: what a library said, or what is wrong with the report of another build.
 #[derive(Debug, thiserror::Error)]
 #[error("{0}")]
 pub struct ReportError(String);

@@ -3,6 +3,7 @@
 //! `contestants` lists what is compared; `certified_values` those that judge; a module for
 //! each part of the page measures and draws it; `page` puts them together.
 
+mod beside;
 mod certified_values;
 mod chart;
 mod contestants;
@@ -23,6 +24,7 @@ mod speed;
 mod stability;
 mod timing;
 
+pub use beside::Beside;
 pub use effort::Effort;
 pub use error::ReportError;
 pub use page::GENERATOR;
@@ -30,19 +32,24 @@ pub use page::GENERATOR;
 /// Called once for each step that is done, from any thread; [`Effort::steps`] says how many there are.
 pub type Watch<'a> = dyn Fn() + Sync + 'a;
 
-/// Measures everything and returns the files of the report, each with its name.
+/// Measures everything and returns the files of the report, each with its name; with the times of another build beside if there is one.
 ///
 /// # Errors
 ///
-/// What the libraries say; nothing in a report depends on input.
-pub fn make(effort: &Effort, watch: &Watch) -> Result<Vec<(String, String)>, ReportError> {
+/// What the libraries say; nothing that is measured depends on input.
+pub fn make(
+    effort: &Effort,
+    other: Option<&Beside>,
+    watch: &Watch,
+) -> Result<Vec<(String, String)>, ReportError> {
     let contestants = contestants::all(effort.order)?;
     let reference = certified_values::CertifiedValues::new(effort.grid(), &watch)?;
     let errors = speed::errors(&contestants, &reference);
     let results = speed::measure(&contestants, &reference, &errors, effort, &watch);
     let machine = machine::Machine::this();
-    let sections = [
-        speed::section(&contestants, &results, reference.u.len()),
+    let speed = speed::section(&contestants, &results, reference.u.len());
+    let builds = other.map(|other| beside::section(&contestants, &results, other));
+    let others = [
         errors::section(&contestants, &reference, &errors)?,
         ice::section()?,
         growth::section(effort, &watch)?,
@@ -50,9 +57,10 @@ pub fn make(effort: &Effort, watch: &Watch) -> Result<Vec<(String, String)>, Rep
         page::Section::new(
             "Machine",
             "What the times above depend on.",
-            vec![page::Figure::table("", page::Data::new("machine.csv", machine.table()))],
+            vec![page::Figure::table("", page::Data::new(beside::MACHINE, machine.table()))],
         ),
     ];
+    let sections = std::iter::once(speed).chain(builds).chain(others).collect::<Vec<_>>();
     Ok(page::files(&machine, &sections))
 }
 

@@ -26,9 +26,15 @@ impl Machine {
                 ("compiler", env!("RESTITUTION_RUSTC").to_owned()),
                 ("target", env!("RESTITUTION_TARGET").to_owned()),
                 ("optimisation", format!("level {}", env!("RESTITUTION_OPTIMISATION"))),
+                ("instructions", instructions()),
                 ("version", format!("restitution {}", env!("CARGO_PKG_VERSION"))),
             ],
         }
+    }
+
+    /// Returns one of the things it says; nothing if it says nothing of it.
+    pub fn of(&self, what: &str) -> String {
+        self.rows.iter().find(|row| row.0 == what).map_or(String::new(), |row| row.1.clone())
     }
 
     /// Returns a sentence that names it.
@@ -48,4 +54,17 @@ impl Machine {
         self.rows.iter().for_each(|(name, value)| table.push(vec![(*name).into(), Cell::text(value)]));
         table
     }
+}
+
+/// The instructions beyond the target's least that the build may use, of those that matter here.
+fn instructions() -> String {
+    let beyond = [
+        ("sse4.1", cfg!(target_feature = "sse4.1")),
+        ("avx", cfg!(target_feature = "avx")),
+        ("avx2", cfg!(target_feature = "avx2")),
+        ("fma", cfg!(target_feature = "fma")),
+        ("avx512f", cfg!(target_feature = "avx512f")),
+    ];
+    let own = beyond.into_iter().filter(|(_, allowed)| *allowed).map(|(name, _)| name).collect::<Vec<_>>();
+    if own.is_empty() { "those of every processor of the target".to_owned() } else { own.join(", ") }
 }

@@ -12,7 +12,9 @@ use restitution_table::{Cell, Table};
 
 /// The upper ends of the ranges of `u`, which start at 0.
 pub const RANGES: [f64; 3] = [1.0, 2.0, 7.5];
-const NANOSECOND: f64 = 1e-9;
+pub const NANOSECOND: f64 = 1e-9;
+/// The file of the times.
+pub const FILE: &str = "speed-and-error.csv";
 
 /// What was found about one contestant on one range.
 pub struct Result {
@@ -132,7 +134,7 @@ pub fn section(contestants: &[Contestant], results: &[Result], grid: usize) -> S
         "nanoseconds per value, each argument waiting for the last value",
     );
     figures.push(Figure::new(chart, &format!("The same for 0 < u ≤ {} when every argument depends on the value before it, as in a simulation that goes from collision to collision.", RANGES[2])));
-    figures[0].data.push(Data::new("speed-and-error.csv", table(contestants, results)));
+    figures[0].data.push(Data::new(FILE, table(contestants, results)));
     Section::new(
         "Speed against error",
         &format!(

@@ -5,8 +5,9 @@ mod folder;
 use crate::CliError;
 use crate::progress::Progress;
 use folder::Folder;
-use restitution_report::{Effort, make};
-use std::path::PathBuf;
+use restitution_report::{Beside, Effort, make};
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// Arguments of `restitution report`.
 #[derive(Debug, clap::Args)]
@@ -17,6 +18,9 @@ pub struct ReportArgs {
     /// Measure little and in seconds: every part is there, its times say nothing
     #[arg(long)]
     quick: bool,
+    /// Show the times of another build beside those of this one: DIR is a report that it wrote on this machine
+    #[arg(long, value_name = "DIR")]
+    beside: Option<PathBuf>,
 }
 
 impl ReportArgs {
@@ -24,13 +28,29 @@ impl ReportArgs {
     ///
     /// # Errors
     ///
-    /// Failure if the folder cannot be written or holds something else; what the libraries say.
+    /// Failure if the folder cannot be written or holds something else; usage if the other report cannot be read; what the libraries say.
     pub fn run(&self) -> Result<(), CliError> {
         let folder = Folder::at(&self.output)?;
+        let other = self.beside.as_deref().map(read).transpose()?;
         let effort = if self.quick { Effort::quick() } else { Effort::full() };
         let progress = Progress::steps("report", effort.steps());
-        let files = make(&effort, &|| progress.advance(1))?;
+        let files = make(&effort, other.as_ref(), &|| progress.advance(1))?;
         drop(progress);
         folder.write(&files)
     }
+}
+
+/// Reads the report of another build.
+fn read(folder: &Path) -> Result<Beside, CliError> {
+    let failed =
+        |reason: &str| CliError::usage(format!("cannot read the report in '{}': {reason}", folder.display()));
+    let file = |name: &str| match fs::read_to_string(folder.join(name)) {
+        Ok(text) => Ok(text),
+        Err(error) => Err(failed(&format!(
+            "{name}: {}; give the folder that another build wrote with `report -o`",
+            error.kind()
+        ))),
+    };
+    let [speed, machine] = Beside::FILES;
+    Beside::read(&file(speed)?, &file(machine)?).map_err(|error| failed(&error.to_string()))
 }

@@ -103,6 +103,42 @@ fn certified_values_are_the_known_ones(folder: &Path) {
 }
 
 #[test]
+fn another_build_stands_beside() {
+    let place = tempfile::tempdir().unwrap();
+    let (other, folder) = (place.path().join("other"), place.path().join("report"));
+    quick(&other);
+    let line = format!("report --quick --beside {} -o {}", other.display(), folder.display());
+    assert_eq!(succeed(&line), "");
+    let page = fs::read_to_string(folder.join("index.html")).unwrap();
+    assert!(page.contains("<h2>Two builds</h2>") && page.contains("Instructions of this build: "));
+    let theirs = rows(&other, "speed-and-error.csv");
+    let both = rows(&folder, "two-builds.csv");
+    assert!(both.iter().any(|r| r["method"] == "evaluator from g, zero compression"));
+    for row in both {
+        let number = |column: &str| row[column].parse::<f64>().unwrap();
+        let there = theirs.iter().find(|r| r["method"] == row["method"] && r["u_to"] == "7.5").unwrap();
+        assert_eq!(number("other_ns"), there["ns"].parse::<f64>().unwrap());
+        assert!((number("ratio") / (number("ns") / number("other_ns")) - 1.0).abs() < 0.02, "{row:?}");
+    }
+
+    let machine = fs::read_to_string(other.join("machine.csv")).unwrap();
+    let renamed: String = machine
+        .lines()
+        .map(|l| if l.starts_with("processor,") { "processor,Z80\n".to_owned() } else { format!("{l}\n") })
+        .collect();
+    fs::write(other.join("machine.csv"), renamed).unwrap();
+    for (beside, reason) in [
+        (other.clone(), "its processor is 'Z80', here it is '"),
+        (place.path().join("none"), "give the folder that another build wrote"),
+        (place.path().to_owned(), "give the folder that another build wrote"),
+    ] {
+        let (code, message) =
+            fail(&format!("report --quick --beside {} -o {}", beside.display(), folder.display()));
+        assert_eq!((code, message.contains(reason)), (2, true), "{message}");
+    }
+}
+
+#[test]
 fn wrong_places_are_refused_before_anything_is_measured() {
     let place = tempfile::tempdir().unwrap();
     let file = place.path().join("file");
