@@ -5,7 +5,7 @@ use restitution_report::{Effort, make};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = std::env::args().nth(1).map(std::path::PathBuf::from);
-    for (name, content) in make(&Effort::quick(), &|| ())? {
+    for (name, content) in make(&Effort::quick(), None, &|| ())? {
         println!("{name}: {} bytes", content.len());
         if let Some(folder) = &folder {
             std::fs::write(folder.join(&name), &content)?;
