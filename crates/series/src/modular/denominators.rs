@@ -5,151 +5,237 @@ use rug::Integer;
 
 /// For every `(n, j)` a multiple of the denominators of `q_(n,i)`, `i <= j`, as a product of small factors.
 ///
-/// In lattice units `m = elastic j + damping n = unit e` the recurrence reads
-///
-/// ```text
-/// q_(n,j) = - unit^2/(m (m + unit)) (F^a)_(n,j-1) - unit^2/(damping (m + unit)) (F^(gamma+1))_(n-1,j)
-/// ```
-///
-/// so `q_(n,j)` is a sum over trees of `n + j` nodes: a node `(n,j)` spends one unit of `j` or of `n`, its
-/// children share the rest. Take a prime `l`.
-///
-/// * If `l` does not divide `unit`, binomial coefficients of `a` and `gamma + 1` are `l`-integers, and `l`
-///   divides the denominator at most as often as nodes of a tree have `l^i | m + unit` or, where an elastic
-///   unit was spent, `l^i | m`, counted for every `i`, besides the powers of `l` in `damping^n`.
-///   [`Thresholds`] finds the least `j` at which a tree can have so many such nodes.
-/// * If `l^d` is the power of `l` in `unit`, `d > 0`, a node with `k` children costs `l^(k (d + 1/(l-1)))`
-///   more, in all less than `l^((n+j)(d + 1/(l-1)))`; its `unit^2` outweighs the powers up to `l^d` in `m` and
-///   `m + unit`, so that only `i > d` count.
+/// Theorem 7 of `docs/error-bounds.md`, prime by prime. Without damping the motion is the inverse of
+/// `t = x phi(x^(a+1))`, whose coefficients are known: a coefficient of `s^j` has at most the powers of the prime that
+/// coefficients of `phi` have whose indices add up to `j`. Each order in the damping then costs one division by
+/// `m = elastic j + damping n` or `m + unit`, somewhere on the way, and one by `elastic`.
 pub(super) struct Denominators {
-    /// For every `n`: the pairs `(j, l)`, sorted, at which the bound gains a factor `l`.
-    gains: Vec<Vec<(usize, u64)>>,
-    /// The prime factors of `unit`, with `d`.
-    ramified: Vec<(u64, u32)>,
-    damping: u64,
+    /// For every `n`: `(j, factor)`, sorted by `j`; factors are products of primes and below `2^50`.
+    growth: Vec<Vec<(usize, u64)>>,
 }
+
+/// Factors stay below it.
+const LARGEST_FACTOR: u64 = 1 << 50;
 
 impl Denominators {
     pub fn bound(lattice: Lattice, damping_order: usize, terms: usize) -> Self {
         let largest = lattice.elastic as u64 * terms as u64 + lattice.damping as u64 * damping_order as u64;
         let mut gains = vec![Vec::new(); damping_order + 1];
-        let mut ramified = Vec::new();
         for prime in primes_up_to(largest + lattice.unit as u64) {
-            let mut power = prime;
-            let mut exponent = 0;
-            while (lattice.unit as u64).is_multiple_of(power) {
-                exponent += 1;
-                power *= prime;
-            }
-            if exponent > 0 {
-                ramified.push((prime, exponent));
-            }
-            while power <= largest + lattice.unit as u64 {
-                let thresholds = Thresholds::find(lattice, power as i64, damping_order, terms);
-                for (n, own) in gains.iter_mut().enumerate() {
-                    own.extend(thresholds.up_to(n, terms).map(|j| (j, prime)));
-                }
-                power = power.saturating_mul(prime);
+            let local = Local::new(lattice, prime, damping_order, terms);
+            for (least, gains) in local.orders(damping_order).iter().zip(&mut gains) {
+                gains.extend(least.iter().step_by(local.scale).skip(1).map(|&j| (j as usize, prime)));
             }
         }
-        gains.iter_mut().for_each(|own| own.sort_unstable());
-        Self { gains, ramified, damping: lattice.damping as u64 }
+        Self { growth: gains.into_iter().map(together).collect() }
     }
 
-    /// Calls `visit(j, factor)` for the factors by which the bound of order `n` grows up to index `j`, in
-    /// rising order of `j`, beginning with what belongs to `n` alone.
-    pub fn growth(&self, n: usize, terms: usize, mut visit: impl FnMut(usize, u64)) {
-        (0..n).for_each(|_| visit(0, self.damping));
-        let mut gains = self.gains[n].iter().peekable();
-        let mut spent = vec![0; self.ramified.len()];
-        for j in 0..terms {
-            while let Some((_, prime)) = gains.next_if(|(at, _)| *at <= j) {
-                visit(j, *prime);
-            }
-            for ((prime, d), spent) in self.ramified.iter().zip(&mut spent) {
-                // floor((n + j)(d + 1/(l - 1))) factors in all.
-                let allowed = (n + j) as u64 * (u64::from(*d) * (prime - 1) + 1) / (prime - 1);
-                while *spent < allowed {
-                    visit(j, *prime);
-                    *spent += 1;
-                }
-            }
-        }
+    /// The factors by which the bound of order `n` grows at index `j`, as `(j, factor)`, in rising order of `j`.
+    pub fn growth(&self, n: usize) -> &[(usize, u64)] {
+        &self.growth[n]
     }
 
     /// The bounds themselves for order `n`.
     pub fn multiples(&self, n: usize, terms: usize) -> Vec<Integer> {
         let mut product = Integer::from(1);
         let mut multiples: Vec<Integer> = Vec::with_capacity(terms);
-        self.growth(n, terms, |j, factor| {
-            while multiples.len() < j {
-                multiples.push(product.clone());
+        for &(j, factor) in self.growth(n) {
+            if multiples.len() < j {
+                multiples.resize(j, product.clone());
             }
             product *= factor;
-        });
+        }
         multiples.resize(terms, product);
         multiples
     }
 }
 
-/// The least index `j` at which a forest with at most `n` units of damping can have `t` events, where an
-/// event is a node whose `m + unit` or (for an elastic node) `m` is a multiple of `power`.
-struct Thresholds {
-    /// `forests[n][t]`; never falls with `t`, never rises with `n`.
-    forests: Vec<Vec<usize>>,
-}
-
-impl Thresholds {
-    fn find(lattice: Lattice, power: i64, damping_order: usize, terms: usize) -> Self {
-        let mut forests = vec![vec![0usize]; damping_order + 1];
-        for t in 1.. {
-            let mut row: Vec<usize> = Vec::with_capacity(damping_order + 1);
-            for n in 0..=damping_order {
-                let least = |from: usize, shift: i64| {
-                    solve(lattice.elastic, -lattice.damping * n as i64 - shift, power).map(
-                        |(residue, period)| {
-                            let steps = from.saturating_sub(residue).div_ceil(period);
-                            residue + steps * period
-                        },
-                    )
-                };
-                let elastic = forests[n][t - 1] + 1;
-                let mut best =
-                    least(elastic, 0).unwrap_or(terms).min(least(elastic, lattice.unit).unwrap_or(terms));
-                if n > 0 {
-                    let damped = least(forests[n - 1][t - 1], lattice.unit).unwrap_or(terms);
-                    best = best.min(damped).min(row[n - 1]);
-                }
-                for part in 0..=n {
-                    for i in 1..t {
-                        best = best.min(forests[part][i] + forests[n - part][t - i]);
-                    }
-                }
-                row.push(best.min(terms));
-            }
-            if row.iter().all(|&j| j >= terms) {
-                break;
-            }
-            row.into_iter().zip(&mut forests).for_each(|(j, forest)| forest.push(j));
+/// Factors of the same index multiplied as far as they stay small.
+fn together(mut gains: Vec<(usize, u64)>) -> Vec<(usize, u64)> {
+    gains.sort_unstable();
+    let mut growth: Vec<(usize, u64)> = Vec::with_capacity(gains.len());
+    for (j, prime) in gains {
+        match growth.last_mut() {
+            Some((last, factor)) if *last == j && *factor < LARGEST_FACTOR / prime => *factor *= prime,
+            _ => growth.push((j, prime)),
         }
-        Self { forests }
+    }
+    growth
+}
+
+/// Least indices: `least[t]` is the first at which the bound of the exponent reaches `t/scale`; `least[0] = 0`, and it
+/// never falls. What is not listed lies beyond the terms.
+type Least = Vec<u32>;
+
+/// What is known of one prime `l`.
+struct Local {
+    lattice: Lattice,
+    prime: u64,
+    terms: usize,
+    /// Exponents are counted in fractions `1/scale`; `1/(l-1)` is at most one of them if `l` divides `unit`.
+    scale: usize,
+    /// The exponents of `l` in `unit` and in `elastic`.
+    unit: i64,
+    elastic: i64,
+    /// The powers of `l` up to the largest `m + unit`.
+    powers: Vec<i64>,
+}
+
+/// Largest scale: a finer one is worth little.
+const FINEST: u64 = 12;
+
+impl Local {
+    fn new(lattice: Lattice, prime: u64, damping_order: usize, terms: usize) -> Self {
+        let largest = lattice.elastic as u64 * terms as u64 + lattice.damping as u64 * damping_order as u64;
+        let power = |&power: &u64| power <= largest + lattice.unit as u64;
+        let powers = std::iter::successors(Some(prime), |power| power.checked_mul(prime)).take_while(power);
+        let unit = valuation(lattice.unit, prime);
+        Self {
+            lattice,
+            prime,
+            terms,
+            scale: if unit == 0 { 1 } else { (prime - 1).min(FINEST) as usize },
+            unit,
+            elastic: valuation(lattice.elastic, prime),
+            powers: powers.map(|power| power as i64).collect(),
+        }
     }
 
-    fn up_to(&self, n: usize, terms: usize) -> impl Iterator<Item = usize> {
-        self.forests[n].iter().skip(1).copied().filter(move |&j| j < terms)
+    /// `N_0 .. N_N`.
+    fn orders(&self, damping_order: usize) -> Vec<Least> {
+        let mut orders = vec![self.undamped()];
+        let mut steps: Vec<Least> = Vec::with_capacity(damping_order);
+        for n in 1..=damping_order {
+            steps.push(self.step(n, &orders[n - 1]));
+            let pairs = steps.iter().zip(orders.iter().rev());
+            orders.push(self.largest_sum(pairs));
+        }
+        orders
+    }
+
+    /// `E`: the largest sum of weights whose indices add up to at most `j`.
+    fn undamped(&self) -> Least {
+        let mut items: Vec<(usize, usize)> = Vec::new();
+        let mut offer = |k: usize| {
+            let weight = usize::try_from(self.weight(k)).unwrap_or(0);
+            // One that comes later and weighs no more is never better.
+            if weight > items.last().map_or(0, |&(_, heaviest)| heaviest) {
+                items.push((k, weight));
+            }
+        };
+        if self.prime == 2 || self.unit > 0 || self.elastic > 0 {
+            (1..self.terms).for_each(&mut offer);
+        } else if let Some(Indices { first, period }) = self.indices(self.prime as i64, self.lattice.unit) {
+            (first..self.terms).step_by(period).for_each(&mut offer);
+        }
+        let mut least = vec![0u32];
+        loop {
+            let sum = |&(k, weight): &(usize, usize)| k + least[least.len().saturating_sub(weight)] as usize;
+            match items.iter().map(sum).min() {
+                Some(next) if next < self.terms => least.push(next as u32),
+                _ => return least,
+            }
+        }
+    }
+
+    /// `w(k) scale`: what the coefficient of `x^((a+1) k)` in `phi` or in the velocity costs.
+    fn weight(&self, k: usize) -> i64 {
+        let Lattice { elastic, unit, .. } = self.lattice;
+        let (scale, count) = (self.scale as i64, k as i64);
+        // C(2k,k)/2^k (unit/elastic)^k, Kummer: as many powers as there are carries.
+        let carries: i64 = self.powers.iter().map(|power| 2 * count / power - count / power * 2).sum();
+        let mut common = count * (self.elastic - self.unit) - carries;
+        if self.prime == 2 {
+            common += count;
+        }
+        let position = common + valuation(unit + elastic * count, self.prime) - self.unit;
+        if self.unit == 0 {
+            return position;
+        }
+        let velocity = common + valuation(2 * count - 1, self.prime);
+        (scale * (position + self.unit) + 1).max(scale * velocity)
+    }
+
+    /// `U_n`: one division by `m` or `m + unit` after order `n - 1`.
+    fn step(&self, n: usize, before: &Least) -> Least {
+        let shift = self.lattice.damping * n as i64;
+        let of_power = |(&power, gain): (&i64, usize)| {
+            let indices = |shift| self.indices(power, shift).map(|indices| (gain * self.scale, indices));
+            [indices(shift), indices(shift + self.lattice.unit)]
+        };
+        let events: Vec<(usize, Indices)> =
+            self.powers.iter().zip(1..).flat_map(of_power).flatten().collect();
+        let cost = self.elastic as usize * self.scale + usize::from(self.unit > 0);
+        let known = |t: usize| before.get(t).map(|&j| j as usize);
+        let mut least = vec![0u32];
+        loop {
+            let t = least.len();
+            let plain = known(t.saturating_sub(cost));
+            let at = |(gain, indices): &(usize, Indices)| {
+                known(t.saturating_sub(cost + gain)).map(|from| indices.from(from))
+            };
+            match events.iter().filter_map(at).chain(plain).min() {
+                Some(next) if next < self.terms => least.push(next as u32),
+                _ => return least,
+            }
+        }
+    }
+
+    /// The largest sum of the two of any pair at indices that add up to at most `j`.
+    fn largest_sum<'a>(&self, pairs: impl Iterator<Item = (&'a Least, &'a Least)> + Clone) -> Least {
+        let len = pairs.clone().map(|(a, b)| a.len() + b.len() - 1).max().unwrap_or(1);
+        let mut least = vec![u32::MAX; len];
+        for (a, b) in pairs {
+            for (t, &first) in a.iter().enumerate() {
+                // Beyond this one sums only grow.
+                let within = b.partition_point(|&second| ((first + second) as usize) < self.terms);
+                for (sum, &second) in least[t..].iter_mut().zip(&b[..within]) {
+                    *sum = (*sum).min(first + second);
+                }
+            }
+        }
+        let mut next = u32::MAX;
+        for j in least.iter_mut().rev() {
+            next = next.min(*j);
+            *j = next;
+        }
+        least.truncate(least.partition_point(|&j| (j as usize) < self.terms));
+        least
+    }
+
+    /// The indices `j` at which `elastic j + shift` is a multiple of a power.
+    fn indices(&self, power: i64, shift: i64) -> Option<Indices> {
+        let gcd = num_integer::Integer::extended_gcd(&self.lattice.elastic, &power);
+        if shift % gcd.gcd != 0 {
+            return None;
+        }
+        let period = power / gcd.gcd;
+        let first = (i128::from(gcd.x) * i128::from(-shift / gcd.gcd)).rem_euclid(i128::from(period));
+        Some(Indices { first: usize::try_from(first).ok()?, period: usize::try_from(period).ok()? })
     }
 }
 
-/// The least solution `j >= 0` of `a j = b mod power` and the distance of the solutions.
-fn solve(a: i64, b: i64, power: i64) -> Option<(usize, usize)> {
-    let gcd = num_integer::Integer::extended_gcd(&a, &power);
-    if b % gcd.gcd != 0 {
-        return None;
+/// `first`, `first + period`, ...
+struct Indices {
+    first: usize,
+    period: usize,
+}
+
+impl Indices {
+    /// The least that is not below `j`.
+    fn from(&self, j: usize) -> usize {
+        self.first + j.saturating_sub(self.first).div_ceil(self.period) * self.period
     }
-    let period = power / gcd.gcd;
-    let residue = i128::from(gcd.x) * i128::from(b / gcd.gcd) % i128::from(period);
-    let residue = (residue + i128::from(period)) % i128::from(period);
-    Some((usize::try_from(residue).ok()?, usize::try_from(period).ok()?))
+}
+
+/// How often a prime divides a number that is not zero.
+fn valuation(mut number: i64, prime: u64) -> i64 {
+    let mut times = 0;
+    while number % prime as i64 == 0 {
+        number /= prime as i64;
+        times += 1;
+    }
+    times
 }
 
 /// The sieve of Eratosthenes.
@@ -163,3 +249,6 @@ fn primes_up_to(limit: u64) -> impl Iterator<Item = u64> {
     }
     (2..=limit).filter(move |&i| !composite[i]).map(|i| i as u64)
 }
+
+#[cfg(test)]
+mod tests;

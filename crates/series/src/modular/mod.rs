@@ -197,10 +197,8 @@ fn numerators_modulo(
     let motion = Motion { field: &field, lattice: law.lattice(), shared: law.is_viscoelastic(), terms };
     let orders = motion.orders(rows.len() / terms - 1);
     for (n, (row, order)) in rows.chunks_exact_mut(terms).zip(orders).enumerate() {
-        let mut growth = Vec::new();
-        denominators.growth(n, terms, |j, factor| growth.push((j, factor)));
         row.copy_from_slice(&order);
-        multiply_by_growth(&primes, row, &growth);
+        multiply_by_growth(&primes, row, denominators.growth(n));
     }
 }
 

@@ -1,0 +1,87 @@
+use super::*;
+use crate::recurrence;
+use num_traits::Zero;
+use restitution_law::ForceLaw;
+use restitution_real::convert::rug_integer;
+
+/// The bits of the multiple and of the true denominator, which must divide it, at the last index of every order.
+fn bits(law: &ForceLaw, damping_order: usize, terms: usize) -> Vec<(u32, u32)> {
+    let bound = Denominators::bound(law.lattice(), damping_order, terms);
+    let orders = recurrence::coefficients(law, damping_order, terms);
+    let of_order = |(n, row): (usize, &Vec<_>)| {
+        let multiples = bound.multiples(n, terms);
+        let mut largest = Integer::from(1);
+        for (j, (q, multiple)) in row.iter().zip(&multiples).enumerate() {
+            let denominator = rug_integer(num_rational::BigRational::denom(q));
+            assert!(multiple.is_divisible(&denominator), "{law} {n} {j}: {denominator} and {multiple}");
+            largest.lcm_mut(&denominator);
+        }
+        (multiples[terms - 1].significant_bits(), largest.significant_bits())
+    };
+    orders.iter().enumerate().map(of_order).collect()
+}
+
+/// Laws whose exponents share primes with each other, with their denominators and with the damping in many ways.
+#[test]
+fn true_denominators_of_random_laws_divide() {
+    let mut state = 1u64;
+    let mut below = |limit: u64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((state >> 33) % limit) as i64
+    };
+    let times: usize = std::env::var("RESTITUTION_TEST_MULTIPLIER").map_or(1, |x| x.parse().unwrap_or(1));
+    for case in 0..30 * times {
+        let (p, r) = (1 + below(12), 1 + below(12));
+        let (q, s) = (1 + below(30), below(30) - r + 1);
+        let Ok(law) = format!("{q}/{p},{s}/{r}").parse::<ForceLaw>() else { continue };
+        let (order, terms) = [(1, 16), (3, 9), (6, 5), (0, 24)][case % 4];
+        bits(&law, order, terms);
+    }
+}
+
+/// High orders in time and in the damping: multiples are close above, where whole trees gave a third too much.
+#[test]
+fn multiples_are_close_above_the_denominators() {
+    for (law, order, terms, most) in [
+        ("3/2,1/2", 1, 90, 1.12),
+        ("3/2,1/2", 3, 40, 1.3),
+        ("3/2,1/2", 12, 8, 1.35),
+        ("5/3,1/4", 2, 24, 1.25),
+        ("1,0", 2, 40, 1.7),
+    ] {
+        let law: ForceLaw = law.parse().unwrap();
+        for (n, (multiple, denominator)) in bits(&law, order, terms).into_iter().enumerate() {
+            assert!(
+                f64::from(multiple) <= most * f64::from(denominator),
+                "{law} {n}: {multiple} and {denominator}"
+            );
+        }
+    }
+}
+
+/// Without damping, for primes that divide neither exponent nor 2, weights are what the coefficients of
+/// `t = x phi(x^(a+1))` have, `phi_k = C(2k,k)/(2^k (1 + (a+1) k)) (unit/elastic)^k`.
+#[test]
+fn weights_are_the_exponents_of_the_inverse() {
+    for (law, prime) in
+        [("3/2,1/2", 7u64), ("3/2,1/2", 13), ("3/2,1/2", 3), ("3/2,1/2", 5), ("2,1", 2), ("5/3,2/3", 2)]
+    {
+        let law: ForceLaw = law.parse().unwrap();
+        let lattice = law.lattice();
+        let local = Local::new(lattice, prime, 0, 60);
+        let mut coefficient = num_rational::BigRational::from_integer(1.into());
+        let fraction = |p: i64, q: i64| num_rational::BigRational::new(p.into(), q.into());
+        for k in 1..60i64 {
+            coefficient *= fraction((2 * k - 1) * lattice.unit, k * lattice.elastic);
+            let phi = &coefficient * fraction(lattice.unit, lattice.unit + lattice.elastic * k);
+            assert!(!phi.is_zero());
+            let exponent =
+                |x: &num_bigint::BigInt| i64::from(rug_integer(x).remove_factor(&Integer::from(prime)).1);
+            assert_eq!(
+                local.weight(k as usize),
+                exponent(phi.denom()) - exponent(phi.numer()),
+                "{law} {prime} {k}"
+            );
+        }
+    }
+}
