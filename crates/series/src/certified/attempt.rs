@@ -123,6 +123,9 @@ fn motion(request: &Request, plan: Plan, watch: &mut dyn FnMut(usize)) -> Option
         return None;
     }
     let size = size_for_bits(law, bits, plan.margin);
+    if !scale.has_words(request.damping, size) {
+        return None;
+    }
     let motion = Motion::derive(&shop, &scale, request.damping, size, bits + row_head(law), watch)?;
     Some((scale, shop, motion))
 }
@@ -285,8 +288,8 @@ fn finish(
     let unit = -(start.bits as i32);
     let lambda = |k: usize| scale.lambda.powi(i64::try_from(k).unwrap_or(i64::MAX));
     let ball = |series: &Fixed, k: usize, error: Float| {
-        let mid = Ball::from_big_integer(&series.integer(k), start.bits + HEAD).mid().clone();
-        Ball::new(mid, &error).shifted(unit) / lambda(k)
+        Ball::from_big_integer(&series.integer(k), start.bits + HEAD).widened(&error).shifted(unit)
+            / lambda(k)
     };
     let length = &start.top * &scale.time;
     let compression =

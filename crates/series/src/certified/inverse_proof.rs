@@ -16,6 +16,9 @@ const LEAST_WEIGHT: f64 = 1e-3;
 /// How large the contraction may be, and the error of the logarithm so that its square is nothing.
 const CONTRACTION: f64 = 0.25;
 const FIRST_ORDER: f64 = 1e-6;
+/// How far the error of the logarithm may change any `eps^(q + p k)`: the image stays inside, and the second derivative
+/// what it is to a part in thousands.
+const LARGEST_STRETCH: f64 = 1e-4;
 
 /// The restitution and what is proved of it: `|eps_k - eps~_k| <= error weight^(-k)` in units of the fixed point.
 pub(crate) struct Restitution {
@@ -137,26 +140,36 @@ pub(crate) fn prove(
         + elastic.error * total * Magnitude::exact(2.0)
         + y_error * (elastic.norm + Magnitude::ONE);
 
-    let second =
-        moment(&|k| (q_size + p_size * k) * (q_size + p_size * k)) * elastic.norm * Magnitude::exact(2.0);
+    // Of the true compression: what it misses counts with the largest weight.
+    let last = q_size + p_size * exact(len as f64);
+    let second = (moment(&|k| (q_size + p_size * k) * (q_size + p_size * k)) + y_error * small * last * last)
+        * elastic.norm
+        * Magnitude::exact(2.0);
+    let by_image = moment(&|k| k * (q_size + p_size * k));
     let m = derivative(shop, &elastic.series, &at_image, &compose(shop, &slopes, &w, len), exponents, len);
     let inverse = reciprocal(shop, &m);
     let mut gap = shop.product(&m, &inverse, len);
     gap.add(&one_padded(shop, len).negated());
     let inverse_norm = scales.norm(&inverse);
-    let m_error = exact((PRODUCT + 4.0) * len as f64)
+    // The product is rounded, and so are both parts of its second factor.
+    let m_error = exact(PRODUCT * len as f64)
         + elastic.norm
-            * (composing(total) * q_size
+            * (exact(2.0 * len as f64)
+                + composing(total) * q_size
                 + composing(slope) * p_size
-                + second * w_error
-                + y_error * (q_size + p_size * exact(len as f64)))
+                + by_image * w_error
+                + y_error * last)
         + elastic.error * (q_size * total + p_size * slope) * Magnitude::exact(2.0);
     let gap = (scales.defect(&gap) + inverse_norm * m_error) * small;
     let inverse_norm = inverse_norm * over_one_minus(gap)?;
     let logarithm = inverse_norm * defect * Magnitude::exact(2.0);
     let contraction = second * inverse_norm * logarithm * small * Magnitude::exact(2.0);
     let relative = logarithm * small * exact(len as f64 + 8.0);
-    if !within(contraction, CONTRACTION) || !within(relative, FIRST_ORDER) {
+    let stretched = logarithm * small * last;
+    if !within(contraction, CONTRACTION)
+        || !within(relative, FIRST_ORDER)
+        || !within(stretched, LARGEST_STRETCH)
+    {
         return None;
     }
     let result = scales.exponential(l, (1, 1))?;

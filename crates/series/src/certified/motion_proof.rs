@@ -91,7 +91,8 @@ fn bound_in(
     let (elastic, damping) = (scale.lattice.elastic as f64 / unit, scale.lattice.damping as f64 / unit);
     let grading = Grading { row: damping, column: elastic };
     let powers = Powers::new(Sketch::new(&motion.f, &motion.force, shop.bits(), grading, detail)?, grading)?;
-    let stiffness = powers.power(elastic - 2.0)?;
+    let [lower, gamma] = scale.lower_powers();
+    let stiffness = powers.power(lower)?;
     let (pull_error, mut folded) = pull.force_error(&powers, stiffness.norm())?;
     let (drag, drag_error) = match friction {
         None => {
@@ -99,7 +100,7 @@ fn bound_in(
             (stiffness.clone(), pull_error * ratio)
         }
         Some(friction) => {
-            let drag = powers.power(damping - 1.0)?;
+            let drag = powers.power(gamma)?;
             let (error, of_friction) = friction.force_error(&powers, drag.norm())?;
             folded = folded + of_friction;
             (drag, error)
@@ -121,10 +122,10 @@ fn bound_in(
     let velocity = growth * residual * Magnitude::exact(2.0);
     let small = power_of_two(-i64::from(shop.bits()));
     let relative = velocity * small * powers.reciprocal();
-    let curvature = |constant: Magnitude, power: f64, norm: Magnitude, step: f64| {
-        constant * exact((power * (power - 1.0)).abs() / step) * norm * powers.base()
+    let curvature = |constant: Magnitude, powers_product: f64, norm: Magnitude| {
+        constant * exact(powers_product.abs()) * norm * powers.base()
     };
-    let second = curvature(e, power, stiffness.norm(), elastic) + curvature(d, damping, drag.norm(), damping);
+    let second = curvature(e, power * lower / elastic, stiffness.norm()) + curvature(d, gamma, drag.norm());
     let second = second * relative * powers.reciprocal() * velocity;
     let first = relative * exact(power.max(damping).max(1.0));
     let position = velocity * exact(1.0 / (1.0 + elastic.min(damping)));

@@ -53,8 +53,9 @@ fn bound_in(
     let [a, c] = scale.powers().map(|steps| steps as f64 / unit);
     let grading = Grading { row: 1.0, column: 1.0 };
     let powers = Powers::new(Sketch::new(&near.rows, &[], shop.bits(), grading, detail)?, grading)?;
-    let stiffness = powers.power(a - 1.0)?;
-    let drag = if scale.shared { stiffness.clone() } else { powers.power(c - 1.0)? };
+    let [lower, gamma] = scale.lower_powers();
+    let stiffness = powers.power(lower)?;
+    let drag = if scale.shared { stiffness.clone() } else { powers.power(gamma)? };
     let rows = near.rows.len() as f64;
     let coefficients = exact(rows * (rows + 1.0) / 2.0);
 
@@ -88,11 +89,19 @@ fn bound_in(
     let half = exact(0.5);
     let rounding = coefficients * Magnitude::exact(2.0);
     let forcing = rho * rho * pull_error + rho * drag_error * exact(1.0 / c);
-    // Twice, for what is of second order.
-    let error = growth * (position + rho * velocity + rounding + forcing * half) * Magnitude::exact(2.0);
+    // Twice, for what is of second order: it must stay below what is of first, here and in the slope.
+    let known = position + rho * velocity + rounding + forcing * half;
+    let error = growth * known * Magnitude::exact(2.0);
     let small = power_of_two(-i64::from(shop.bits()));
     let relative = error * small * powers.reciprocal();
-    if !within(relative * exact(a.max(c).max(1.0) + 8.0), FIRST_ORDER) {
+    let larger = relative * powers.reciprocal() * powers.base();
+    let second = error
+        * larger
+        * (pull * exact(lower.abs()) * stiffness.norm() + friction * exact(gamma.abs()) * drag.norm());
+    if !within(relative * exact(a.max(c).max(1.0) + 8.0), FIRST_ORDER)
+        || !within(larger * exact(lower.abs().max(gamma.abs())), 1.0)
+        || second * half > known
+    {
         return Err(Unbounded::Large);
     }
     // l E_l: as above, each step divided by its larger factor only.
@@ -127,8 +136,11 @@ fn bound_in(
     let gap = (gap.norm(0, 1.0) + exact(PRODUCT * rows) + inverse * curvature_error) * small;
     let inverse = inverse * over_one_minus(gap).ok_or(Unbounded::Large)?;
     let shift_error = inverse * residual * Magnitude::exact(2.0);
-    let contraction = moment(3) * inverse * shift_error * small * Magnitude::exact(4.0);
-    within(contraction, CONTRACTION)
+    // The derivatives of the true polynomial: those of the one found and of its error.
+    let third = moment(3) + slope_error * exact(rows * rows) * small;
+    let contraction = third * inverse * shift_error * small * Magnitude::exact(4.0);
+    let inside = within(size + shift_error * small, 1.0) && slope_error * small <= moment(1);
+    (inside && within(contraction, CONTRACTION))
         .then(|| error + evaluation(0) + moment(1) * shift_error * Magnitude::exact(2.0))
         .ok_or(Unbounded::Large)
 }

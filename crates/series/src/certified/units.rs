@@ -55,6 +55,18 @@ impl Scale {
         [self.lattice.elastic - self.lattice.unit, self.lattice.damping]
     }
 
+    /// `a - 1` and `gamma` as doubles next to them: a difference of doubles would be off by more than a rounding.
+    pub fn lower_powers(&self) -> [f64; 2] {
+        self.powers().map(|steps| (steps - self.lattice.unit) as f64 / self.lattice.unit as f64)
+    }
+
+    /// Whether the integers that weigh rows of so many orders and terms are words.
+    pub fn has_words(&self, orders: usize, terms: usize) -> bool {
+        let (numerator, denominator) = self.ratio;
+        let fits = |x: i64, y: i64| x.checked_mul(y).is_some();
+        !self.shared || fits(self.index(orders, terms), numerator) && fits(self.lattice.damping, denominator)
+    }
+
     /// The exponent `e` of `q_(n,j)`, in lattice steps.
     pub fn index(&self, n: usize, j: usize) -> i64 {
         self.lattice.elastic * j as i64 + self.lattice.damping * n as i64

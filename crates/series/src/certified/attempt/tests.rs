@@ -208,6 +208,37 @@ fn errors_too_large_for_the_turning_point_are_refused() {
     }
 }
 
+/// Where errors grow so much that what is of second order exceeds what is given, nothing is proved, however small the error
+/// itself is: a unit of time 16 times the usual one.
+#[test]
+fn errors_of_second_order_have_to_stay_below_those_of_first() {
+    let far = Around::new("3/2,1/2", 4, 192, 0.5, 16.0);
+    let position = largest(|error| far.bound(error, 0.0, &far.shift).is_some());
+    let proved = far.bound((position - 1.0).exp2(), 0.0, &far.shift).unwrap() * 2f64.powi(-192);
+    assert_eq!(format!("{position:.2}"), "115.77");
+    assert!(proved < 1e-9, "an error of {proved:e} is small");
+}
+
+/// Integers that weigh the rows must be words: a unit of the damping so small that they would not be is refused.
+#[test]
+fn weights_that_are_no_words_are_refused() {
+    let law: ForceLaw = "499999/500000,-1/500000".parse().unwrap();
+    assert!(law.is_viscoelastic());
+    let request = Request { law: &law, damping: 3, last: 3 };
+    let of = |lambda: f64| motion(&request, Plan { bits: 128, lambda, step: 0.0, margin: 8 }, &mut |_| ());
+    assert!(of(1e-12).is_none() && of(1e-3).is_some());
+}
+
+/// Exponents next to 1 and to 0 are the doubles next to the exact ones, not differences of doubles.
+#[test]
+fn small_powers_are_as_exact_as_large_ones() {
+    for text in ["400001/400000,1/400000", "7/3,5/6", "3/2,-1/3"] {
+        let law: ForceLaw = text.parse().unwrap();
+        let expected = [law.a() - BigRational::one(), law.gamma().clone()].map(|x| x.to_f64().unwrap());
+        assert_eq!(Scale::new(&law, 1.0, 128).lower_powers(), expected, "{text}");
+    }
+}
+
 #[test]
 fn the_longest_product_is_as_precise_as_is_said() {
     assert_eq!(LARGEST_ORDER + 1, turning_proof::MOST_PLACES);
