@@ -185,4 +185,83 @@ mod tests {
             }
         }
     }
+
+    fn near(found: &Ball, wanted: f64) {
+        assert!((found.to_f64() / wanted - 1.0).abs() < 1e-12, "{found:?} {wanted:e}");
+    }
+
+    /// A step of few degrees, with errors of `-h v` and of `K` by hand; in units of 1/2 for `y`.
+    fn posed(v: f64, ratio_error: f64) -> (Equation, Problem, Series) {
+        let equation = Equation::new(&ForceLaw::viscoelastic_spheres(), &Ball::from_ratio(1, 2, 80), 80);
+        let equation = Equation { order: 6, ..equation };
+        let bound = |x: f64| Ball::from_f64(x, BOUND_BITS);
+        let from = TurningPoint {
+            v: Float::with_val(80, v),
+            y: Float::with_val(80, 0.4),
+            spread: bound(0.0),
+            energy: bound(0.0),
+        };
+        let mut problem =
+            Problem::pose(&equation, &from, &Float::with_val(80, v - f64::exp2(-12.0))).unwrap();
+        assert_eq!((problem.scale, problem.velocity_scale), (-1, 0));
+        (problem.ratio_error, problem.right_error) = (bound(ratio_error), bound(f64::exp2(-76.0)));
+        let series = problem.solve(&equation).unwrap();
+        (equation, problem, series)
+    }
+
+    fn value(c: &rug::Integer) -> f64 {
+        c.to_f64() * f64::exp2(-80.0)
+    }
+
+    #[test]
+    fn the_functions_of_a_step_are_bounded_in_its_neighbourhood() {
+        for v in [0.75, -0.625] {
+            for room in ROOMS {
+                let (equation, problem, series) = posed(v, 0.03125);
+                let range = Range::of(&equation, &problem, &series, room).unwrap();
+                let (start, ratio) = (value(&series.y[0]), value(&series.ratio[0]));
+                let change: f64 = series.y[1..].iter().map(|y| value(y).abs()).sum();
+                let (low, high) = (start - change, start + change);
+                let room = low * f64::from(room).exp2();
+                near(&range.change, change);
+                near(&range.lowest, low);
+                near(&range.room, room);
+                near(&range.bend, (high / low).powf(0.4));
+                let wide = ((high + room) / (low - room)).powf(0.4);
+                let (most, least) = ((ratio + 0.03125) * wide, (ratio - 0.03125) / wide);
+                let (inward, outward) = (v.max(0.0), (f64::exp2(-12.0) - v).max(0.0));
+                near(&range.least_force, 1.0 - outward * most);
+                near(&range.greatest_force, 1.0 + inward * most);
+                near(&range.decay, f64::exp(-f64::exp2(-12.0) * least / (1.0 + inward * most)));
+            }
+        }
+        // A force that may vanish is no bound.
+        let (equation, problem, series) = posed(-0.625, 0.875);
+        assert!(
+            Range::of(&equation, &problem, &series, -6)
+                .is_some_and(|range| range.least_force.to_f64() < 0.15)
+        );
+        let (equation, problem, series) = posed(-0.625, 1.125);
+        assert!(Range::of(&equation, &problem, &series, -6).is_none());
+    }
+
+    #[test]
+    fn what_a_step_leaves_over_is_written_out() {
+        let (equation, problem, series) = posed(0.75, f64::exp2(-75.0));
+        let range = Range::of(&equation, &problem, &series, -6).unwrap();
+        let (found, _) = defect(&equation, &problem, &series, &range).unwrap();
+        let slope = Envelope::tightest(&series.y, 80).slope.min(Envelope::tightest(&series.ratio, 80).slope);
+        let [in_y, in_ratio] = [&series.y, &series.ratio].map(|c| Envelope::with_slope(c, 80, slope));
+        let (tail, last) = (upper_half(in_y, in_ratio, 6).to_f64(), value(&series.product[5]).abs());
+        let (unit, n, start) = (f64::exp2(-80.0), 6.0, value(&series.y[0]));
+        let (change, lowest, bend) = (range.change.to_f64(), range.lowest.to_f64(), range.bend.to_f64());
+        // Divisions and products in the equation of motion, what is cut off of `M`, its last degree.
+        let rounding = unit * (n * (value(&series.force) + unit + 3.0) + change + 1.0);
+        let motion = rounding + f64::exp2(-76.0) + 2.0 * tail + last + unit;
+        // `|K - K(p)|` by the other relation, with `c = 2/5`.
+        let power = unit * n * (start + 1.0) + tail * 1.6;
+        let ratio_off = bend * (f64::exp2(-75.0) + power / lowest);
+        near(&found, motion + 2.0 * ratio_off * change);
+        assert!(tail < 1e3 * unit && last < 1e3 * unit && change * ratio_off > 1e-6 * motion);
+    }
 }
