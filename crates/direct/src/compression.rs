@@ -78,3 +78,38 @@ pub(crate) fn first_order_defect(equation: &Equation, z: &Float, fallen: &Ball) 
 pub(crate) fn ratio(q: &BigRational) -> f64 {
     num_traits::ToPrimitive::to_f64(q).unwrap_or(f64::NAN)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `P = 1 - q u z - (q/A) z^A` beside a branch point, with `2 (q/A) z^A (1 - P)` for its error, Prop. 4.
+    #[test]
+    fn a_motion_beside_a_branch_point_starts_close_to_it() {
+        let (q, a): (f64, f64) = (6.0 / 11.0, 20.0 / 11.0);
+        for (u, z) in [
+            (0.5, f64::exp2(-80.0 / (a + 1.0))),
+            (1e12, 0.25 / (q * 1e12)),
+            (1e-6, f64::exp2(-80.0 / (a + 1.0))),
+        ] {
+            let equation = Equation::new(&"7/3,5/6".parse().unwrap(), &Ball::from_f64(u, 80), 80);
+            let start = impact(&equation);
+            let found = start.z.to_f64();
+            assert!((found / z - 1.0).abs() < 1e-9, "{u}: {found} {z}");
+            let (damping, elastic) = (q * u * found, q / a * found.powf(a));
+            let lost = Float::with_val(100, 1u32 - &start.v).to_f64();
+            assert!((lost / (damping + elastic) - 1.0).abs() < 1e-9, "{u}: {lost}");
+            // The rest is what a speed of 80 bits is off by.
+            let rounding = f64::exp2(-76.0);
+            let defect = 2.0 * elastic * (damping + elastic);
+            let energy = start.energy.to_f64();
+            assert!(energy >= defect && energy < 1.001 * defect + rounding, "{u}: {energy:e} {defect:e}");
+        }
+        let equation = Equation::new(&"7/3,5/6".parse().unwrap(), &Ball::from_f64(1.0, 80), 80);
+        let defect = first_order_defect(&equation, &Float::with_val(80, 0.5), &Ball::from_f64(-0.75, 80));
+        assert!((defect.to_f64() / (2.0 * q / a * 0.5_f64.powf(a) * 0.75) - 1.0).abs() < 1e-12);
+        let spheres = Equation::new(&"3/2,1/2".parse().unwrap(), &Ball::from_f64(1.0, 80), 80);
+        let start = impact(&spheres);
+        assert!(start.z.is_zero() && start.v == 1 && start.energy.upper().is_zero());
+    }
+}
