@@ -239,3 +239,78 @@ fn first_order_loss(law: &ForceLaw, prec: u32) -> Ball {
 fn positive<'a>(what: &'static str, value: &'a BigRational) -> Result<&'a BigRational, DirectError> {
     if value.is_positive() { Ok(value) } else { Err(DirectError::NotPositive { what }) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ratio(n: i64, d: i64) -> BigRational {
+        BigRational::new(n.into(), d.into())
+    }
+
+    fn near(found: &Ball, wanted: f64) {
+        assert!((found.to_f64() / wanted - 1.0).abs() < 1e-12, "{found:?} {wanted}");
+    }
+
+    /// `u = (g/g*)^p/|C_1|` with `-C_1 = 2 ((a+1)/2)^r B(r, 3/2)/(a+1)`: `pi/2` for the dashpot, 1.1534… for spheres.
+    #[test]
+    fn a_velocity_has_its_damping() {
+        let at = |law: &str, g: (i64, i64)| {
+            let law = law.parse::<ForceLaw>().unwrap();
+            Damping::of_velocity(&ratio(g.0, g.1), &ratio(1, 4), &law).map(|u| u.at(80))
+        };
+        near(&at("3/2,1/2", (8, 1)).unwrap(), 2.0 / 1.153_448_858_095_288_8);
+        near(&at("1,0", (7, 3)).unwrap(), std::f64::consts::FRAC_2_PI);
+        // a = 3, gamma = 1: r = 1/2, B = pi/2, p = 0; gamma = 3: r = 1, B = 2/3, p = 1.
+        near(&at("3,1", (5, 1)).unwrap(), 2.0 * 2.0_f64.sqrt() / std::f64::consts::PI);
+        near(&at("3,3", (1, 2)).unwrap(), 2.0 / (2.0 * 2.0 * (2.0 / 3.0) / 4.0));
+        assert_eq!(at("3/2,1/2", (0, 1)).unwrap().to_f64(), 0.0);
+        assert_eq!(at("3/2,1/2", (-1, 9)).unwrap_err(), DirectError::NegativeVelocity);
+        assert_eq!(at("3,1/2", (0, 1)).unwrap_err(), DirectError::InfiniteDamping);
+        assert!(at("3,1/2", (1, 9)).is_ok());
+        let law = ForceLaw::viscoelastic_spheres();
+        for g_star in [0, -1] {
+            let none = Damping::of_velocity(&ratio(1, 1), &ratio(g_star, 1), &law);
+            assert!(matches!(none, Err(DirectError::NotPositive { .. })));
+        }
+    }
+
+    /// Eqs. (2) and (14): `u = (3/2) A (rho/m_eff)^(2/5) g^(1/5)`.
+    #[test]
+    fn two_equal_spheres_have_their_damping() {
+        let spheres = EqualSpheres {
+            dissipative_constant: ratio(1, 10_000),
+            young: ratio(7_000_000, 1),
+            poisson: ratio(3, 10),
+            density: ratio(1100, 1),
+            radius: ratio(1, 50),
+        };
+        let rho = 2.0 * 7e6 * 0.01_f64.sqrt() / (3.0 * (1.0 - 0.09));
+        let mass = 2.0 / 3.0 * std::f64::consts::PI * 0.02_f64.powi(3) * 1100.0;
+        let wanted = 1.5e-4 * (rho / mass).powf(0.4) * 0.3_f64.powf(0.2);
+        near(&Damping::of_equal_spheres(&spheres, &ratio(3, 10)).unwrap().at(80), wanted);
+        assert_eq!(Damping::of_equal_spheres(&spheres, &ratio(0, 1)).unwrap().at(80).to_f64(), 0.0);
+        assert!(Damping::of_equal_spheres(&spheres, &ratio(-1, 10)).is_err());
+        let scale = VelocityScale::EqualSpheres(spheres.clone());
+        near(&scale.damping(&ratio(3, 10)).unwrap().at(80), wanted);
+        for poisson in [1, -1, 2] {
+            let wrong = EqualSpheres { poisson: ratio(poisson, 1), ..spheres.clone() };
+            assert!(Damping::of_equal_spheres(&wrong, &ratio(1, 1)).is_err(), "{poisson}");
+        }
+    }
+
+    #[test]
+    fn precision_is_that_asked_for() {
+        for u in [
+            Damping::exact(&ratio(1, 3)),
+            Damping::of_velocity(&ratio(1, 3), &ratio(1, 1), &ForceLaw::viscoelastic_spheres()).unwrap(),
+        ] {
+            for prec in [64, 200] {
+                assert!(
+                    u.at(prec).relative_bits().is_some_and(|bits| bits >= i64::from(prec) - 2),
+                    "{u:?} {prec}"
+                );
+            }
+        }
+    }
+}

@@ -67,3 +67,51 @@ impl Dashpot {
         shown(&Ball::from_rational(&self.u, 64))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ratio(n: i64, d: i64) -> BigRational {
+        BigRational::new(n.into(), d.into())
+    }
+
+    fn dashpot(law: &str, u: BigRational) -> Option<Dashpot> {
+        Dashpot::of(&law.parse().unwrap(), &u)
+    }
+
+    /// `exp(-pi zeta/sqrt(1 - zeta^2))` with `zeta^2 = u^2/(2 (a+1))`: 0.36 and 0.98 of laws with `p = 0`.
+    #[test]
+    fn a_dashpot_in_another_coordinate_has_its_coefficient() {
+        for (law, u, zeta_squared) in
+            [("1,0", ratio(6, 5), 0.36), ("3,1", ratio(14, 5), 0.98), ("1,0", ratio(39, 20), 0.950_625)]
+        {
+            let dashpot = dashpot(law, u).unwrap();
+            let wanted = (-std::f64::consts::PI * f64::sqrt(zeta_squared / (1.0 - zeta_squared))).exp();
+            let found = dashpot.epsilon(100).unwrap();
+            assert!(
+                (found.to_f64() / wanted - 1.0).abs() < 1e-12 && found.relative_bits() >= Some(90),
+                "{law}"
+            );
+            assert!((dashpot.one_minus_epsilon(100).unwrap().to_f64() - (1.0 - wanted)).abs() < 1e-15);
+            assert_eq!(dashpot.is_nearly_critical(), zeta_squared > 0.9375, "{law}");
+        }
+    }
+
+    #[test]
+    fn at_critical_damping_nothing_is_left() {
+        for u in [ratio(2, 1), ratio(9, 4)] {
+            let critical = dashpot("1,0", u).unwrap();
+            assert!(matches!(critical.epsilon(100), Err(DirectError::Overdamped { .. })));
+            assert!(matches!(critical.one_minus_epsilon(100), Err(DirectError::Overdamped { .. })));
+        }
+        // So little is left that no number holds it.
+        let next = ratio(2, 1) - ratio(1, 1 << 60) * ratio(1, 1 << 60);
+        let nothing = dashpot("1,0", next).unwrap();
+        assert!(matches!(nothing.epsilon(100), Err(DirectError::Vanishing { .. })));
+        assert_eq!(nothing.one_minus_epsilon(100).unwrap().to_digits(20).unwrap(), "1.0000000000000000000");
+        for (law, u) in [("3/2,1/2", ratio(1, 1)), ("1,0", ratio(-1, 1))] {
+            assert!(dashpot(law, u).is_none(), "{law}");
+        }
+    }
+}

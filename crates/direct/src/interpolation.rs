@@ -113,3 +113,31 @@ impl Collision {
         Ok(errors.into_iter().reduce(f64::max).map(|largest| largest + printed))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::End;
+
+    fn ratio(n: i64, d: i64) -> BigRational {
+        BigRational::new(n.into(), d.into())
+    }
+
+    /// The distances from the chord, from coefficients of other velocities, and 4/3 of the largest.
+    #[test]
+    fn the_distance_from_the_chord_is_bounded_by_four_thirds_of_three() {
+        let spheres = Collision::new(&"3/2,1/2".parse().unwrap(), End::ZeroCompression).unwrap();
+        let damping = |g: &BigRational| Ok(Damping::exact(g));
+        let found = spheres.interpolation_error(&ratio(1, 1), &ratio(3, 1), damping).unwrap();
+        let at = |quarter: i64| spheres.epsilon(&(ratio(1, 1) + ratio(quarter, 2)), 20).unwrap().to_f64();
+        let chord = |quarter: i64| at(0) + (at(4) - at(0)) * quarter as f64 / 4.0;
+        let largest = (1..4).map(|quarter| (chord(quarter) - at(quarter)).abs()).fold(0.0, f64::max);
+        assert!((found / (largest * 4.0 / 3.0) - 1.0).abs() < 1e-12, "{found} {largest}");
+        // A table: the larger of two, a unit of the last digit and the rounding of a velocity.
+        let other = spheres.interpolation_error(&ratio(3, 1), &ratio(4, 1), damping).unwrap();
+        assert!(other < found);
+        let velocities = [ratio(3, 1), ratio(4, 1), ratio(1, 1), ratio(3, 1)];
+        let table = spheres.table_error(&velocities, 3, damping, || ()).unwrap().unwrap();
+        assert!((table - found - 0.001 - f64::EPSILON).abs() < 1e-15, "{table} {found}");
+    }
+}
