@@ -187,7 +187,9 @@ impl Damping {
         let wide = prec + GUARD_BITS;
         match &self.0 {
             Source::Exact(u) => Ball::from_rational(u, prec),
-            Source::Scaled { ratio, .. } if ratio.is_zero() => Ball::zero().with_prec(prec),
+            Source::Scaled { ratio, law } if ratio.is_zero() && !law.velocity_exponent().is_zero() => {
+                Ball::zero().with_prec(prec)
+            }
             Source::Scaled { ratio, law } => {
                 Ball::from_rational(ratio, wide).pow(&law.velocity_exponent()) / first_order_loss(law, wide)
             }
@@ -265,6 +267,8 @@ mod tests {
         near(&at("3,1", (5, 1)).unwrap(), 2.0 * 2.0_f64.sqrt() / std::f64::consts::PI);
         near(&at("3,3", (1, 2)).unwrap(), 2.0 / (2.0 * 2.0 * (2.0 / 3.0) / 4.0));
         assert_eq!(at("3/2,1/2", (0, 1)).unwrap().to_f64(), 0.0);
+        // p = 0: the same at every velocity.
+        near(&at("1,0", (0, 1)).unwrap(), std::f64::consts::FRAC_2_PI);
         assert_eq!(at("3/2,1/2", (-1, 9)).unwrap_err(), DirectError::NegativeVelocity);
         assert_eq!(at("3,1/2", (0, 1)).unwrap_err(), DirectError::InfiniteDamping);
         assert!(at("3,1/2", (1, 9)).is_ok());
