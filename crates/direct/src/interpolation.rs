@@ -15,10 +15,12 @@ impl Collision {
     /// Bounds by how much linear interpolation in the velocity, between two velocities of a table, differs from `epsilon`.
     ///
     /// Where `epsilon` bends one way between them, its distance `h` from the chord vanishes at both ends and bends the other way, so that it lies
-    /// below its own chords prolonged. With `h <= M` at the three points that quarter the interval,
+    /// below its own chords prolonged: those from either end to a point where it is known. With `h <= M` at the three points that
+    /// quarter the interval,
     ///
     /// ```text
-    /// h(t) <= min(4 t, 2 (1 - t)) M <= (4/3) M    for t <= 1/2, and likewise beyond
+    /// h(t) <= (4/3) (1 - t) M <= (4/3) M              for t <= 1/4
+    /// h(t) <= min(4 t, 2 (1 - t)) M <= (4/3) M        for 1/4 <= t <= 1/2, and likewise beyond
     /// ```
     ///
     /// That `epsilon(g)` bends one way is not proved but was seen wherever it was looked for (tests/it/lookup.rs): it is convex for
