@@ -108,11 +108,13 @@ fn across_branch(equation: &Equation, point: &PhasePoint) -> Ball {
     for _ in 0..4 {
         exit = Ball::exact((&v + &damping + &elastic / &exit).mid().clone());
     }
-    // Prop. 1 is about a P without zero: beyond a positive speed the motion came to rest, or the precision is too low to tell.
+    // Prop. 1 is about a P without zero: with a positive speed at zero the motion came to rest, or the precision is too low to
+    // tell. With a negative one a zero in between would leave a defect beyond c^2, which `velocity_near` refuses (Prop. 4).
     if !exit.is_negative() {
         return Ball::whole_line(equation.prec);
     }
-    let missed = (&exit - &damping - &elastic / &exit - &v).abs() * (v.abs() + Ball::one()).shifted(1);
+    let missed = (&exit - &damping - &elastic / &exit - &v).abs();
+    let missed = &missed * ((v.abs() + Ball::one()).shifted(1) + &missed);
     let fallen = &damping + (&elastic / &exit).abs();
     let defect = first_order_defect(equation, &point.z, &fallen) / exit.abs();
     velocity_near(&exit, &upper_bound(&(upper_bound(&missed) + upper_bound(&defect) + &point.energy))).abs()
@@ -139,7 +141,8 @@ mod tests {
             for _ in 0..4 {
                 exit = v + damping + elastic / exit;
             }
-            let missed = (exit - damping - elastic / exit - v).abs() * 2.0 * (v.abs() + 1.0);
+            let missed = (exit - damping - elastic / exit - v).abs();
+            let missed = missed * (2.0 * (v.abs() + 1.0) + missed);
             let defect = 2.0 * elastic * (damping + (elastic / exit).abs()) / exit.abs();
             for energy in [0.0, 0.01] {
                 let wanted = (missed + defect + energy) / exit.abs();

@@ -107,8 +107,10 @@ fn funnel(equation: &Equation, z: &Float) -> Result<PhasePoint, DirectError> {
     }
     let speed = &force * (Ball::one() + &bend);
     let widest = &force * (Ball::one() + bend.shifted(1));
-    let energy = upper_bound(&(&widest * &widest - &force * &force));
-    Ok(PhasePoint { z: z.clone(), v: -Float::with_val(equation.prec, speed.mid()), energy })
+    let v = -Float::with_val(equation.prec, speed.mid());
+    let square = Ball::exact(v.clone()).powi(2);
+    let energy = upper_bound(&((&widest * &widest - &square).abs() + (square - &force * &force).abs()));
+    Ok(PhasePoint { z: z.clone(), v, energy })
 }
 
 /// The impact speed from which on the trajectory has met the curve of zero force before `start`.

@@ -95,12 +95,7 @@ impl Range {
         let most = upper_bound(&((&ratio + &problem.ratio_error) * &wide));
         let least = positive(lower_bound(&((ratio - &problem.ratio_error) / wide)));
         let one = Ball::from_integer(1, BOUND_BITS);
-        let part = |v: &Float| {
-            let scaled = Ball::exact(v.clone()).shifted(i32::try_from(-problem.velocity_scale).unwrap_or(0));
-            upper_bound(&scaled.with_prec(BOUND_BITS))
-        };
-        let (inward, outward) =
-            (positive(part(&problem.start_v)), positive(upper_bound(&-part(&problem.end_v))));
+        let (inward, outward) = fastest(&problem.start_v, &problem.end_v, problem.velocity_scale)?;
         let least_force = lower_bound(&(&one - outward * &most));
         let greatest_force = upper_bound(&(&one + inward * &most));
         let rate = lower_bound(&(problem.length() * least / &greatest_force));
@@ -114,6 +109,13 @@ impl Range {
             decay: upper_bound(&(-rate).exp()),
         })
     }
+}
+
+/// The largest speeds inward and outward of a motion whose velocity falls from `start` to `end`, in units of `2^scale`, rounded up.
+fn fastest(start: &Float, end: &Float, scale: i64) -> Option<(Ball, Ball)> {
+    let shift = i32::try_from(-scale).ok()?;
+    let largest = |v: Ball| positive(upper_bound(&v.shifted(shift)));
+    Some((largest(Ball::exact(start.clone())), largest(-Ball::exact(end.clone()))))
 }
 
 /// `Int |defect|` of the step and the decay of its coefficients; `None` if too much was cut off.
@@ -171,6 +173,19 @@ mod tests {
             energy,
         };
         follow(&equation, &from, &Float::with_val(80, v - 1.0 / 1024.0))
+    }
+
+    #[test]
+    fn speeds_are_rounded_up_both_ways() {
+        // 65 bits and more: a speed outward that is rounded down would give the force too much.
+        let v = Float::with_val(100, 0.75) + (Float::with_val(100, 1) >> 90u32);
+        let exactly = Ball::exact(v.clone()).shifted(-3);
+        let (inward, outward) = fastest(&v, &-v.clone(), 3).unwrap();
+        for speed in [inward, outward] {
+            assert!((&speed - &exactly).is_positive() && (speed - &exactly).abs_up() < 1e-19);
+        }
+        let (inward, outward) = fastest(&-v.clone(), &v, 3).unwrap();
+        assert!(inward.mid().is_zero() && outward.mid().is_zero());
     }
 
     #[test]

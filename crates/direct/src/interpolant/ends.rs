@@ -83,12 +83,13 @@ impl Motion {
         let damping = &self.u.high * &leg.paces.high;
         let delta = balance.size() + balance_error + &course.balance_error + damping * &off;
         let delta = upper_bound(&(delta / (&leg.paces.low * &leg.paces.low)));
-        let slowest = lower_bound(&(slowest / &leg.paces.high));
+        // Of the motion itself, not of its polynomial.
+        let slowest = lower_bound(&((slowest - &off) / &leg.paces.high));
         let place = place.range();
         let one = Ball::from_integer(1, BOUND_BITS);
         let low = lower_bound(&((place.low - &place_error) * (&one - one.shifted(ROOM))));
         let high = upper_bound(&((place.high + &place_error) * (&one + one.shifted(ROOM))));
-        if !low.is_positive() {
+        if !low.is_positive() || !slowest.is_positive() {
             return None;
         }
         let least = |power: &BigRational| {

@@ -119,7 +119,11 @@ impl Motion {
         let mut leg = Leg { reached: from.clone(), course, energy, pace, paces };
         let end = Jets::constant(&leg.course.velocity.end(), leg.course.velocity.bits);
         let (velocity, lost) = leg.in_common_time(&end, flow.bits)?;
-        let slack = self.slack(&velocity.range(), &lost);
+        let pull = match from.measure {
+            Measure::Speed => zero(),
+            Measure::Force => self.force(&leg.course.place, &leg.course.speed, &missed)?.pull(),
+        };
+        let slack = slack(&velocity.range(), &pull, &lost);
         leg.reached = State {
             z: leg.course.coordinate.end(),
             v: velocity.coefficients,
@@ -127,12 +131,6 @@ impl Motion {
             measure: from.measure,
         };
         Some((leg, slope))
-    }
-
-    /// What the energy of the error, of either kind, grows by at most when a velocity is replaced by one
-    /// that differs by `missed`.
-    fn slack(&self, speed: &Range, missed: &Ball) -> Ball {
-        upper_bound(&((speed.largest() + missed).shifted(2) * missed))
     }
 
     /// The pace at which all motions of the interval would reach the end together, going on as they do;
@@ -172,7 +170,7 @@ impl Motion {
     fn by_speed(&self, from: &State, course: &Course, paces: &Range, missed: &Ball) -> Option<(Ball, Ball)> {
         let (slowest, fastest) = (course.speed.least()?, course.speed.largest());
         let energy = &from.energy * &paces.high * &paces.high;
-        let start = upper_bound(&(energy + self.slack(&course.speed, missed)));
+        let start = upper_bound(&(energy + slack(&course.speed, &zero(), missed)));
         let grown = upper_bound(&(fastest.shifted(1) * &course.defect));
         let energy = upper_bound(&(&start + &grown));
         if !(&slowest * &slowest - &energy).is_positive() {
@@ -190,8 +188,7 @@ impl Motion {
     fn by_force(&self, from: &State, course: &Course, missed: &Ball) -> Option<(Ball, Ball)> {
         let force = self.force(&course.place, &course.speed, missed)?;
         let fastest = course.speed.largest();
-        // F(y, v) moves with v by at most |v| + K |y - Y|, and |y - Y| < room.
-        let shifted = missed * (&fastest + missed + &force.ratio * &force.room);
+        let shifted = missed * (&fastest + missed + force.pull());
         let energy = upper_bound(&(&from.energy + shifted + &fastest * &course.defect));
         // The velocity must fall all along: h z^(A-1) (1 + v K) > |defect|.
         let falling =
@@ -307,6 +304,21 @@ pub(crate) struct Force {
     room: Ball,
     /// The largest `K`.
     ratio: Ball,
+}
+
+impl Force {
+    /// The largest `K |y - Y|` in the neighbourhood.
+    fn pull(&self) -> Ball {
+        upper_bound(&(&self.ratio * &self.room))
+    }
+}
+
+/// What the energy of the error grows by at most when a velocity is replaced by one that differs by `missed`.
+///
+/// `v^2` moves by `2 |v|`. As the motion goes on to another velocity `v` the error of `F` moves by `-v + G(y) - G(Y)`, at most
+/// `|v| + K |y - Y|`; the latter is `pull`, and it is all there is at the turning point, where `v = 0`.
+fn slack(speed: &Range, pull: &Ball, missed: &Ball) -> Ball {
+    upper_bound(&(((speed.largest() + missed).shifted(2) + pull) * missed))
 }
 
 fn one() -> BigRational {

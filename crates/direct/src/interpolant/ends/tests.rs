@@ -95,7 +95,7 @@ fn at_zero_force_an_error_of_the_place_counts_by_its_square() {
     let low = (place.low.to_f64() - place_error) * (1.0 - 1.0 / 64.0);
     let high = (place.high.to_f64() + place_error) * (1.0 + 1.0 / 64.0);
     let rise = low; // half of (A-B) z^(A-B-1)
-    let slowest = 0.625 / 1.25;
+    let slowest = (0.625 - off) / 1.25; // of the motion: the polynomial is faster by off at most
     let pull = 2.0 * 2.0 * high * high / slowest;
     let (_, lost) = leg_of_all.in_common_time(&velocity, BITS).unwrap();
     let from_velocity = (velocity_error.to_f64() + off) / 0.875 + lost.to_f64();

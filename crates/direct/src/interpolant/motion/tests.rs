@@ -135,6 +135,16 @@ fn the_energy_by_force_stays_in_its_neighbourhood() {
     }
 }
 
+/// Where a step ends at the turning point its velocity is 0, but what is cut off of it still moves the energy.
+#[test]
+fn a_velocity_that_is_replaced_costs_the_force_on_the_error() {
+    near(&slack(&range(-0.25, 0.5), &zero(), &bound(0.125)), 4.0 * 0.625 * 0.125);
+    let turning = range(-1e-9, 1e-9);
+    near(&slack(&turning, &bound(0.01), &bound(1e-9)), (8e-9 + 0.01) * 1e-9);
+    let force = motion("3/2,1/2").force(&range(0.75, 1.5), &turning, &zero()).unwrap();
+    near(&force.pull(), force.ratio.to_f64() * force.room.to_f64());
+}
+
 #[test]
 fn an_error_of_the_speed_becomes_one_of_the_force_and_back() {
     let motion = motion("3/2,1/2");
