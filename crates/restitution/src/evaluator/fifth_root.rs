@@ -191,4 +191,32 @@ mod tests {
         }
         assert!(largest <= REACH && largest > 0.99 * REACH, "{largest}");
     }
+
+    #[test]
+    fn fifth_powers_have_their_roots() {
+        for root in 1..1552_u32 {
+            let power = f64::from(root).powi(5); // below 2^53, exact
+            assert_eq!((fifth_root(power), fifth_root(-power)), (f64::from(root), -f64::from(root)));
+            let early = Root::of(power).estimate();
+            assert!((early / f64::from(root) - 1.0).abs() < 1e-7, "{root}");
+            assert!(
+                (Root::of(power).distance(early) - (f64::from(root) - early)).abs() < 1e-16 * f64::from(root)
+            );
+        }
+        // The same in all powers of two, subnormal ones too.
+        for k in -214..=204 {
+            let power = |k: i32| f64::powi(2.0, k / 2) * f64::powi(2.0, k - k / 2);
+            assert_eq!(fifth_root(power(5 * k)), power(k), "{k}");
+            assert!(
+                (fifth_root(3.0 * power(5 * k)) / power(k) - 1.245_730_939_615_517_3).abs() < 3e-16,
+                "{k}"
+            );
+        }
+        for same in [0.0, -0.0, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(fifth_root(same).to_bits(), same.to_bits());
+        }
+        assert!(
+            fifth_root(f64::NAN).is_nan() && (fifth_root(5e-324) / 2.0_f64.powf(-214.8) - 1.0).abs() < 1e-13
+        );
+    }
 }

@@ -89,3 +89,46 @@ pub fn near<T: Number>(root: T, u: T, end: End) -> T {
         End::ZeroForce => zero_force::near_by_root(root, u),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{epsilon, one_minus_epsilon};
+
+    #[test]
+    fn forms_follow_each_other_and_are_what_is_evaluated() {
+        for end in [End::ZeroCompression, End::ZeroForce] {
+            let mut last = 0.0;
+            for form in table(end) {
+                assert!(form.low == last && form.high > form.low, "{form:?}");
+                assert!((form.centre - 0.5 * (form.low + form.high)).abs() <= 1e-12 * form.high);
+                last = form.high;
+                let t = 0.25 * (form.high - form.low);
+                let u = form.centre + t;
+                assert_eq!(form.epsilon(u - form.centre), epsilon(u, end));
+                if u >= near_end(end) {
+                    assert_eq!(form.one_minus_epsilon(u - form.centre), one_minus_epsilon(u, end));
+                }
+                assert_ne!(form.with_mistake(0, 1024).epsilon(t), form.epsilon(t));
+            }
+            assert!(last > 1000.0);
+            let small = 0.9 * near_end(end);
+            assert_eq!(near(small.sqrt(), small, end), one_minus_epsilon(small, end));
+        }
+        assert_eq!((near_end(End::ZeroCompression), near_end(End::ZeroForce)), (0.03125, 0.0625));
+    }
+
+    /// The first four numbers as they are, the others to 31, 24, 16 and 9 bits, rounded.
+    #[test]
+    fn a_row_keeps_the_bits_that_count() {
+        let third = |sign: f64| [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0].map(|c| sign * c / 3.0);
+        for c in [third(1.0), third(-1.0), [0.7, -1.1, 0.9, -0.3, 1.9, -1.3, 1.1, -1.7]] {
+            let kept = packed(c);
+            assert_eq!(kept[..4], c[..4]);
+            for (k, bits) in [(4, 31), (5, 24), (6, 16), (7, 9)] {
+                let off = (kept[k] / c[k] - 1.0).abs();
+                assert!(off <= f64::powi(2.0, -bits), "{k}: {off:e}");
+            }
+        }
+    }
+}

@@ -133,3 +133,83 @@ pub(crate) fn value<T: Number, const WIDTH: usize>(c: &[T; WIDTH], s: T) -> T {
     }
     s.multiply_add(slope, at(0))
 }
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::*;
+    use crate::tiers;
+
+    /// Against the full evaluator, alone and in batches with arguments inside and outside of the pieces.
+    fn keeps_its_tolerance<const ROWS: usize, const WIDTH: usize>(tier: &Tier<ROWS, WIDTH>) {
+        let even = (0..6000).map(|i| f64::from(i) / 6000.0 * tier.far());
+        let odd =
+            [tier.far().next_down(), tier.far(), 8.5, 1e9, 0.0, -0.0, -1e-9, f64::NAN, f64::INFINITY, 5e-324];
+        let points: Vec<f64> = even.chain(odd).collect();
+        let mut worst = 0.0_f64;
+        for length in [0, 5, 31, 32, 127, 128, 129, 511, 512, 513, points.len()] {
+            for part in [&points[..length], &points[points.len() - length..]] {
+                let mut batch = vec![2.0; length + 1];
+                tier.epsilon_batch(part, &mut batch);
+                assert_eq!(batch.pop(), Some(2.0));
+                assert!(part.iter().zip(&batch).all(|(u, out)| tier.epsilon(*u).to_bits() == out.to_bits()));
+            }
+        }
+        for u in points {
+            let (cheap, full) = (tier.epsilon(u), epsilon(u, tier.end()));
+            if (0.0..tier.far()).contains(&u) {
+                worst = worst.max((cheap / full - 1.0).abs());
+            } else {
+                assert_eq!(cheap.to_bits(), full.to_bits(), "{u}");
+            }
+        }
+        assert!(worst <= tier.tolerance() && worst > tier.tolerance() / 1000.0, "{worst:e}");
+    }
+
+    /// Pieces follow each other from 0 to the end; on each the distance falls from 1 to 0.
+    fn covers_its_range<const ROWS: usize, const WIDTH: usize>(tier: &Tier<ROWS, WIDTH>) {
+        assert_eq!((tier.ends(0).0, tier.rows().len()), (0.0, ROWS));
+        let mut row = 0;
+        while tier.ends(row).1 < tier.far() {
+            let (start, end) = tier.ends(row);
+            assert_eq!(tier.ends(row + 1).0, end);
+            for part in [0.0, 0.25, 0.5, 0.96875] {
+                let u = start + part * (end - start);
+                let (found, distance) = tier.place(u);
+                assert!(
+                    found as usize == row && (distance - (1.0 - part)).abs() < 1e-9,
+                    "{row} {part} {found} {distance}"
+                );
+                // Cheap sums of powers, and the constant term of all: the value at the end.
+                let powers: f64 = (0..WIDTH).map(|k| tier.rows()[row][k] * distance.powi(k as i32)).sum();
+                assert!((tier.form(row, distance) - powers).abs() < 1e-15);
+                assert_eq!(tier.epsilon(u), tier.form(row, distance));
+            }
+            row += 1;
+        }
+        assert!(row + 2 >= ROWS, "{row} of {ROWS}");
+        assert_eq!(tier.form(ROWS + 7, 0.5), tier.form(ROWS - 1, 0.5));
+    }
+
+    #[test]
+    fn every_tier_is_near_the_full_evaluator() {
+        macro_rules! check {
+            ($($tier:ident),*) => {$(
+                keeps_its_tolerance(&tiers::$tier);
+                covers_its_range(&tiers::$tier);
+            )*};
+        }
+        check!(
+            ZERO_COMPRESSION_1E3,
+            ZERO_COMPRESSION_1E6,
+            ZERO_COMPRESSION_1E9,
+            ZERO_FORCE_1E3,
+            ZERO_FORCE_1E6,
+            ZERO_FORCE_1E9
+        );
+        assert_eq!(
+            (tiers::ZERO_COMPRESSION_1E6.end(), tiers::ZERO_FORCE_1E3.end()),
+            (End::ZeroCompression, End::ZeroForce)
+        );
+        assert_eq!((tiers::ZERO_FORCE_1E9.shift(), tiers::ZERO_COMPRESSION_1E3.shift()), (0.125, 8.0));
+    }
+}

@@ -201,4 +201,39 @@ mod tests {
         let slow = Restitution::from_factor(1e-300, End::ZeroCompression);
         assert!((slow.one_minus_epsilon(1e-300) / 1.153_448_858_095_288_8e-120 - 1.0).abs() < 1e-14);
     }
+
+    #[test]
+    fn a_scale_of_velocities_gives_the_damping() {
+        let slope: f64 = 1.153_448_858_095_288_8; // -C_1
+        for end in ENDS {
+            for g_star in [0.0032, 1.0, 7.5] {
+                let law = Restitution::from_g_star(g_star, end);
+                assert!((law.factor() * g_star * slope.powi(5) - 1.0).abs() < 4e-15, "{g_star}");
+                assert!(
+                    (law.g_star() / g_star - 1.0).abs() < 4e-15
+                        && (law.u(g_star) * slope - 1.0).abs() < 2e-15
+                );
+            }
+            for u_1 in [0.3, 1.0, 2.5] {
+                let law = Restitution::from_u_at_unit_velocity(u_1, end);
+                assert!(
+                    (law.factor() / f64::powi(u_1, 5) - 1.0).abs() < 2e-15
+                        && (law.u(1.0) / u_1 - 1.0).abs() < 1e-15
+                );
+                // g = (u/u_1)^5, from subnormal to large ones
+                for u in [1e-63, 1e-62, 1e-20, 0.125, 40.0, 1e60] {
+                    let g = law.velocity(u);
+                    assert!(
+                        (law.u(g) / u - 1.0).abs() < if g < 1e-307 { 1e-6 } else { 2e-15 },
+                        "{u:e} {g:e}"
+                    );
+                }
+            }
+            for none in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-310] {
+                let law = Restitution::from_factor(none, end);
+                assert!(law.factor().is_nan() && law.u(1.0).is_nan() && law.velocity(1.0).is_nan());
+                assert!(law.u(0.0).is_nan() && law.u(f64::INFINITY).is_nan() && law.epsilon(0.0).is_nan());
+            }
+        }
+    }
 }

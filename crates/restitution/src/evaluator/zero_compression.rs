@@ -79,3 +79,74 @@ fn power_law(u: f64, low: f64) -> f64 {
     let (index, centre) = GRID.locate(m);
     TABLE.row(index as u64 * WORDS).value((m - centre) + low * power(k)) * power(k.wrapping_mul(5))
 }
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use crate::evaluator::curve::Curve;
+    use crate::{End, Restitution, epsilon, one_minus_epsilon, u_of_epsilon};
+
+    const END: End = End::ZeroCompression;
+    const R5: f64 = 5.158_381_704_267_685_5;
+
+    #[test]
+    fn certified_values_are_given() {
+        for (u, kept) in [
+            (0.01, 0.988_544_818_656_846_1),
+            (1.0, 0.331_164_810_466_640_94),
+            (30.0, 2.122_790_824_801_516_6e-7),
+            (500.0, 1.650_682_145_365_659_3e-13),
+            (2000.0, 1.611_994_282_583_651_6e-16),
+            (1e6, 5.158_381_704_267_685e-30),
+        ] {
+            assert!((epsilon(u, END) / kept - 1.0).abs() <= 2.0 * f64::EPSILON, "{u}");
+            assert!((one_minus_epsilon(u, END) / (1.0 - kept) - 1.0).abs() <= 1e-14, "{u}");
+        }
+    }
+
+    /// `epsilon(2^k u) = 2^(-5k) epsilon(u)` to the bit from the table's last pieces on, then rounded to subnormal numbers, and 0.
+    #[test]
+    fn beyond_the_table_speeds_are_saturated() {
+        let power = |k: i32| 2.0_f64.powi(k);
+        for m in [256.0, 300.25, 400.125, 511.9375] {
+            let kept = epsilon(m, END);
+            assert!((kept / (R5 / f64::powi(m, 5)) - 1.0).abs() < 2e-15);
+            for k in 2..235 {
+                let found = epsilon(m * power(k), END);
+                let wanted =
+                    if k < 190 { kept * power(-5 * k) } else { kept * power(-900) * power(900 - 5 * k) };
+                assert!(found == wanted || (found - wanted).abs() <= 5e-324, "{m} {k}: {found:e} {wanted:e}");
+                assert_eq!(one_minus_epsilon(m * power(k), END), 1.0 - found);
+            }
+        }
+        assert_eq!([epsilon(power(216), END), epsilon(1e300, END), epsilon(f64::INFINITY, END)], [0.0; 3]);
+        assert!(epsilon(power(213), END) > 0.0);
+    }
+
+    /// From a velocity `u^5` is the velocity itself, and so is `R^5/epsilon`.
+    #[test]
+    fn beyond_the_table_a_velocity_keeps_its_digits() {
+        let law = Restitution::from_factor(1.0, END);
+        for i in 0..2000 {
+            let g = 1.3e16 * 1.37_f64.powi(i);
+            if g < 1e300 {
+                assert!((law.epsilon(g) * g / R5 - 1.0).abs() <= 3.0 * f64::EPSILON, "{g:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn beyond_the_table_the_inverse_is_a_fifth_root() {
+        for i in 0..1300 {
+            let u = 1050.0 * 1.1_f64.powi(i);
+            if u > 1e60 {
+                break;
+            }
+            let back = u_of_epsilon(R5 / (u * u * u * u * u), END);
+            assert!((back / u - 1.0).abs() <= 1e-15, "{u:e} {back:e}");
+        }
+        // The smallest number is that of no larger u.
+        let last = u_of_epsilon(5e-324, END);
+        assert!((last / 6.364_228e64 - 1.0).abs() < 1e-6, "{last:e}");
+        assert!(super::ZeroCompression::COUNT > 1000);
+    }
+}

@@ -118,3 +118,53 @@ fn short_inverse_cube_root(u: f64) -> f64 {
     }
     f64::from_bits(r.to_bits() & 0xffff_fff0_0000_0000)
 }
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use crate::{End, Restitution, epsilon, one_minus_epsilon, u_of_epsilon};
+
+    const END: End = End::ZeroForce;
+
+    #[test]
+    fn certified_values_are_given() {
+        for (u, kept) in [
+            (0.01, 0.988_547_439_642_729_4),
+            (1.0, 0.393_930_603_229_873_2),
+            (30.0, 0.004_395_127_976_402_98),
+            (500.0, 0.000_041_579_961_868_367_055),
+            (2000.0, 0.000_004_127_142_830_369_126),
+            (1e6, 1.310_370_692_049_669e-10),
+            (1e30, 1.310_370_697_104_448_3e-50),
+        ] {
+            assert!((epsilon(u, END) / kept - 1.0).abs() <= 2.0 * f64::EPSILON, "{u}");
+            assert!((one_minus_epsilon(u, END) / (1.0 - kept) - 1.0).abs() <= 1e-14, "{u}");
+            assert!((u_of_epsilon(kept, END) / u - 1.0).abs() <= 1e-14, "{u}");
+        }
+    }
+
+    /// `(3/2)^(2/3) u^(-5/3)`, for cubes from where its correction is nothing; scaled above 2^300.
+    #[test]
+    fn the_power_law_keeps_its_digits() {
+        let limit: f64 = 1.310_370_697_104_448_2; // and 1e-16
+        for k in 60..330 {
+            for m in [1.0_f64, 1.125, 1.375, 1.75] {
+                let root = m * 2.0_f64.powi(k - 20);
+                let u = root * root * root;
+                let power = (root * root) * (root * root) * root;
+                if u.is_finite() && power.is_finite() && power < 1e300 {
+                    let off = epsilon(u, END) * power / limit - 1.0;
+                    assert!(off.abs() <= 3.0 * f64::EPSILON || root < 1e8, "{u:e}: {off:e}");
+                }
+            }
+        }
+        // From a velocity, u = g^(1/5): epsilon = (3/2)^(2/3) g^(-1/3).
+        let law = Restitution::from_factor(1.0, END);
+        for k in 40..100 {
+            let root = 1.375_f64 * 2.0_f64.powi(3 * k);
+            let off = law.epsilon(root * root * root) * root / limit - 1.0;
+            assert!(off.abs() <= 3.0 * f64::EPSILON || k < 60, "{k}: {off:e}");
+        }
+        assert_eq!(epsilon(f64::INFINITY, END), 0.0);
+        assert!(epsilon(f64::MAX, END) == 0.0 && epsilon(1e190, END) > 0.0);
+    }
+}
