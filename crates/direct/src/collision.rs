@@ -286,4 +286,47 @@ mod tests {
         let law = "1,2".parse().unwrap();
         assert!(matches!(Collision::new(&law, End::ZeroForce), Err(DirectError::NoZeroForce { .. })));
     }
+
+    #[test]
+    fn a_small_loss_has_its_digits() {
+        let spheres = Collision::new(&ForceLaw::viscoelastic_spheres(), End::ZeroCompression).unwrap();
+        let tiny = BigRational::new(
+            1.into(),
+            num_traits::pow(BigRational::from_integer(10.into()), 40).to_integer(),
+        );
+        let lost = spheres.one_minus_epsilon(&tiny, 12).unwrap();
+        assert_eq!(lost.to_digits(12).as_deref(), Some("1.15344885810e-40"));
+        for none in [
+            Ball::from_integer(-1, 80),
+            Ball::zero().widened(&rug::Float::with_val(64, 0.5)),
+            Ball::whole_line(80),
+        ] {
+            assert!(matches!(spheres.enclose(&none, 80), Err(DirectError::Damping { .. })), "{none:?}");
+        }
+    }
+
+    /// Where the speed has saturated it is kept for each precision, and is the integrated one.
+    #[test]
+    fn saturated_speeds_are_those_of_the_motion() {
+        let spheres = Collision::new(&ForceLaw::viscoelastic_spheres(), End::ZeroCompression).unwrap();
+        for bits in [80, 120, 80] {
+            let u = Ball::from_integer(60, bits);
+            let (kept, followed) = (spheres.enclose(&u, bits).unwrap(), spheres.integrate(&u, bits).unwrap());
+            assert!(kept.overlaps(&followed) && kept.rad() < followed.rad(), "{kept:?} {followed:?}");
+        }
+        let known = spheres.saturations.lock().unwrap().iter().map(|(bits, _)| *bits).collect::<Vec<_>>();
+        assert_eq!(known, [80, 120]);
+    }
+
+    #[test]
+    fn a_nearly_critical_dashpot_is_not_integrated() {
+        for (end, u, slow) in [
+            (End::ZeroCompression, (199, 100), true),
+            (End::ZeroCompression, (3, 2), false),
+            (End::ZeroForce, (199, 100), false),
+        ] {
+            let dashpot = Collision::new(&"1,0".parse().unwrap(), end).unwrap();
+            assert_eq!(dashpot.slow_dashpot(&ratio(u.0, u.1)).is_some(), slow);
+        }
+    }
 }

@@ -296,4 +296,15 @@ mod tests {
             assert_eq!(c, Integer::from(x[0].square_ref()) * count);
         }
     }
+
+    /// A hundred products of 121 bits are more than 2^127: they need a third word.
+    #[test]
+    fn a_slot_has_room_for_the_sum_and_its_sign() {
+        let of = |bits: u32, sign: i32| vec![((Integer::from(1) << bits) - 1_u32) * sign; 100];
+        for sign in [1, -1] {
+            let (x, y) = (of(60, 1), of(61, sign));
+            let wanted = Integer::from(&x[0] * &y[0]) * 100_u32;
+            assert_eq!(middle_product(&x, &y, 99, 1), [wanted]);
+        }
+    }
 }

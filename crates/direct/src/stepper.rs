@@ -67,3 +67,38 @@ pub(crate) fn rounded_to_step(x: &Float, length: f64) -> Float {
     scaled <<= exponent;
     scaled
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_motion_is_given_up_after_so_many_attempts() {
+        let mut stepper = Stepper::new(1.0);
+        stepper.start_with(1.0);
+        let mut failed = false;
+        // Every other attempt fails, and shortens the step that the next one lengthens again.
+        let mut attempt = |_: f64| {
+            failed = !failed;
+            (!failed).then_some(((), 2.25))
+        };
+        for _ in 0..ATTEMPTS / 2 {
+            stepper.step(f64::INFINITY, &mut attempt).unwrap();
+        }
+        let last = stepper.step(f64::INFINITY, &mut attempt);
+        assert!(matches!(last, Err(DirectError::Stiff { steps: ATTEMPTS })), "{last:?}");
+    }
+
+    #[test]
+    fn a_step_that_always_fails_vanishes() {
+        let (mut stepper, mut lengths) = (Stepper::new(1.0), Vec::new());
+        stepper.start_with(4.0);
+        let none = stepper.step(2.0, |length| {
+            lengths.push(length);
+            None::<((), f64)>
+        });
+        assert!(matches!(none, Err(DirectError::StepVanished { .. })));
+        assert_eq!((lengths.len(), lengths[0]), (HALVINGS as usize, 2.0));
+        assert!(lengths.windows(2).all(|two| (two[1] / two[0] - 0.6).abs() < 1e-12));
+    }
+}

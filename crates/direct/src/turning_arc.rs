@@ -279,4 +279,16 @@ mod tests {
         near(&found, motion + 2.0 * ratio_off * change);
         assert!(tail < 1e3 * unit && last < 1e3 * unit && change * ratio_off > 1e-6 * motion);
     }
+
+    #[test]
+    fn the_defect_counts_with_the_energy_at_the_start() {
+        let (equation, mut problem, series) = posed(0.75, 0.0);
+        let mut of = |start: f64, error: f64| {
+            problem.right_error = Ball::from_f64(error, BOUND_BITS);
+            within(&equation, &problem, &series, &Ball::from_f64(start, BOUND_BITS), -2).is_some()
+        };
+        // A quarter of y, 0.2 in its units, times the least force 1.
+        assert!(of(0.1, 0.09) && of(0.0, 0.19) && of(0.19, 0.0));
+        assert!(!of(0.1, 0.11) && !of(0.0, 0.21) && !of(0.21, 0.0));
+    }
 }

@@ -211,3 +211,20 @@ fn convolution(a: &[Integer], b: &[Integer], k: usize, width: usize, bits: u32) 
     sum.iter_mut().for_each(|s| *s >>= bits);
     sum
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_power_that_is_needed_is_the_product_of_two_smaller_ones() {
+        // a = 4, gamma = 1/2: A = 10, B = 3, so that z^2, z^7 and with it z^3, z^4 are needed.
+        for (law, wanted) in [("4,1/2", vec![2, 3, 4, 7]), ("3/2,1/2", vec![2]), ("1,0", vec![])] {
+            let coordinate = Coordinate::of(&law.parse().unwrap());
+            let flow = Flow::new(&coordinate, vec![Integer::from(1) << 63], 64, 9, 1).unwrap();
+            assert_eq!(flow.powers(), wanted, "{law}");
+        }
+        let branch = Coordinate::of(&"7/3,5/6".parse().unwrap());
+        assert!(Flow::new(&branch, vec![Integer::from(1)], 64, 9, 1).is_none());
+    }
+}

@@ -67,32 +67,35 @@ const LAWS: [(&str, u32, u32, f64); 5] =
 #[test]
 fn what_a_step_leaves_over_is_counted() {
     for (law, m, e, q) in LAWS {
-        let hand = Hand::of(law);
-        let s = &hand.series;
-        assert_eq!((hand.chart.outer, hand.chart.inner), (m, e));
-        let (n, unit, h) = (6.0, (-f64::from(BITS)).exp2(), hand.length);
-        let envelope = Envelope::tightest(&s.z, BITS);
-        let square_cut = beyond(envelope, envelope, 5, 6).to_f64() + 2.0 * norm(&s.z[..1]) * norm(&s.z[5..]);
-        let in_square = 2.0 * n * unit + square_cut;
-        let u_error = s.u_error.to_f64();
-        let in_elastic = if e == 2 { in_square } else { norm(&s.z[5..]) };
-        let in_force = in_elastic + n * unit + (0.5 + u_error) * norm(&s.v[5..]) + u_error * norm(&s.v);
-        let (outer, in_outer, cut) = match m {
-            0 => (1.0, 0.0, 0.0),
-            1 => (norm(&s.z), 0.0, product_cut(&s.z, &s.force, BITS).to_f64()),
-            _ => (norm(&s.square), in_square, product_cut(&s.square, &s.force, BITS).to_f64()),
-        };
-        let force = norm(&s.force);
-        let left = h * (cut + 2.0 * n * unit + outer * in_force + force * in_outer + in_outer * in_force);
-        let defect = hand.defect().expect("little is cut off");
-        for (found, wanted) in [
-            (&defect.in_z, q * n * unit),
-            (&defect.in_v, n * unit + left),
-            (&defect.most_in_z, q * n * n * unit / h),
-            (&defect.most_in_v, n * n * unit + left),
-            (&defect.pull, (outer + in_outer) * (force + in_force)),
-        ] {
-            assert!((found.to_f64() / wanted - 1.0).abs() < 1e-12, "{law}: {found:?} {wanted:e}");
+        for u_error in [1.5 * f64::exp2(-41.0), 0.01] {
+            let mut hand = Hand::of(law);
+            hand.series.u_error = bound(u_error);
+            let s = &hand.series;
+            assert_eq!((hand.chart.outer, hand.chart.inner), (m, e));
+            let (n, unit, h) = (6.0, (-f64::from(BITS)).exp2(), hand.length);
+            let envelope = Envelope::tightest(&s.z, BITS);
+            let square_cut =
+                beyond(envelope, envelope, 5, 6).to_f64() + 2.0 * norm(&s.z[..1]) * norm(&s.z[5..]);
+            let in_square = 2.0 * n * unit + square_cut;
+            let in_elastic = if e == 2 { in_square } else { norm(&s.z[5..]) };
+            let in_force = in_elastic + n * unit + (0.5 + u_error) * norm(&s.v[5..]) + u_error * norm(&s.v);
+            let (outer, in_outer, cut) = match m {
+                0 => (1.0, 0.0, 0.0),
+                1 => (norm(&s.z), 0.0, product_cut(&s.z, &s.force, BITS).to_f64()),
+                _ => (norm(&s.square), in_square, product_cut(&s.square, &s.force, BITS).to_f64()),
+            };
+            let force = norm(&s.force);
+            let left = h * (cut + 2.0 * n * unit + outer * in_force + force * in_outer + in_outer * in_force);
+            let defect = hand.defect().expect("little is cut off");
+            for (found, wanted) in [
+                (&defect.in_z, q * n * unit),
+                (&defect.in_v, n * unit + left),
+                (&defect.most_in_z, q * n * n * unit / h),
+                (&defect.most_in_v, n * n * unit + left),
+                (&defect.pull, (outer + in_outer) * (force + in_force)),
+            ] {
+                assert!((found.to_f64() / wanted - 1.0).abs() < 1e-14, "{law}: {found:?} {wanted:e}");
+            }
         }
     }
 }
@@ -130,6 +133,27 @@ fn what_a_product_cuts_off_is_bounded() {
             assert!(truth <= bound && bound < 40.0 * truth, "{first} {fall} {count}: {truth:e} {bound:e}");
         }
     }
+}
+
+#[test]
+fn what_a_product_with_the_constant_cuts_off_is_bounded() {
+    let unit = Integer::from(1) << (BITS - 4);
+    let x: Vec<Integer> = [9, 0, 0, 0, 0, 2, -1].map(|c| Integer::from(&unit * c)).to_vec();
+    let force: Vec<Integer> =
+        vec![Integer::from(&unit * 8), Integer::from(1), Integer::new(), Integer::new(), Integer::new()];
+    let bound = product_cut(&x, &force, BITS).to_f64();
+    let truth = 3.0 / 16.0 * 0.5;
+    assert!(truth <= bound && bound < 1.1 * truth, "{bound}");
+}
+
+#[test]
+fn a_velocity_that_is_rounded_costs_energy() {
+    let from =
+        PhasePoint { z: Float::with_val(80, 1), v: Float::with_val(80, -1.3125), energy: bound(0.001) };
+    let point = rounded(from, 4);
+    assert_eq!(point.v, -1.25);
+    let wanted = 0.001 + 1.3125 * 1.3125 - 1.25 * 1.25;
+    assert!((point.energy.to_f64() / wanted - 1.0).abs() < 1e-14, "{point:?}");
 }
 
 /// A proof by hand for ranges of `z` and `v`.

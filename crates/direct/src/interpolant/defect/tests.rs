@@ -46,14 +46,20 @@ struct Exact {
     damping: u32,
 }
 
+fn of(x: &Jets) -> Exactly {
+    let number = |c: &Integer| Rational::from(c) >> x.bits;
+    (0..x.rows()).map(|k| x.row(k).iter().map(number).collect()).collect()
+}
+
 impl Exact {
+    /// `h = q 2^shift/rate`.
+    fn length(&self) -> Rational {
+        self.q.clone() * (Rational::from(1) << self.step.shift) / self.step.rate
+    }
+
     /// Coefficients of exact polynomials in two variables, `[theta][delta]`.
     fn defect(&self) -> Vec<Vec<Rational>> {
-        let of = |x: &Jets| -> Vec<Vec<Rational>> {
-            let number = |c: &Integer| Rational::from(c) >> x.bits;
-            (0..x.rows()).map(|k| x.row(k).iter().map(number).collect()).collect()
-        };
-        let length = self.q.clone() * (Rational::from(1) << self.step.shift) / self.step.rate;
+        let length = self.length();
         let v = scaled(&derivative(&of(&self.coordinate)), &(self.q.clone() / &length));
         let power = |n: u32| {
             let one = vec![vec![Rational::from(1)]];
@@ -130,6 +136,16 @@ fn the_defect_is_that_of_the_exact_polynomials() {
             let slack = if order == 3 { 4.0 } else { 1.25 };
             assert!(integral <= found && found < slack * integral, "{law} {order}: {found} {integral}");
             assert!(largest <= all && all < slack * largest, "{law} {order}: {all} {largest}");
+            // Written out: the defect of what was computed, and h times the distance of the force.
+            let common = Powers::new(&flow, &exact.coordinate).get(flow.common, &flow);
+            let computed = sum(
+                &derivative(&of(&course.velocity)),
+                &scaled(&product(&of(&common.jets), &of(&course.balance)), &exact.length()),
+            );
+            let [a, b] = [&common.error, &course.balance_error].map(Ball::to_f64);
+            let force_error = norm(&common.jets) * b + norm(&course.balance) * a + a * b;
+            let wanted: f64 = computed.iter().map(row).sum::<f64>() + exact.length().to_f64() * force_error;
+            assert!((all / wanted - 1.0).abs() < 1e-12, "{law} {order}: {all} {wanted}");
             let length = q.0 as f64 * 32.0 / 70.0 / q.1 as f64;
             assert!((course.length.to_f64() / length - 1.0).abs() < 1e-15);
             // What a shorter step makes smaller: the rows from the order's last on.

@@ -157,4 +157,7 @@ fn contact_ends_in_a_step_for_all_velocities_or_for_none() {
     // A balance that is positive again beyond z = 0 is not one of contact.
     assert_eq!(ends(End::ZeroForce, [0.1, 0.05], [-0.1, 0.05]), "again");
     assert_eq!(ends(End::ZeroForce, [0.1, 0.05], [0.1, 0.2]), "again");
+    // A zero before the step for some of the velocities is none of the step.
+    let early = leg(1e-9, &FALLING, &[[0.01, 0.02, 0.0], [-1.0, 0.0, 0.0]]);
+    assert!(motion(End::ZeroCompression).end_of_contact(&early).is_none());
 }
