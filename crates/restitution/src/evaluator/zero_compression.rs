@@ -82,17 +82,16 @@ fn power_law(u: f64, low: f64) -> f64 {
 
 #[cfg(all(test, feature = "std"))]
 mod tests {
-    use crate::evaluator::curve::Curve;
     use crate::{End, Restitution, epsilon, one_minus_epsilon, u_of_epsilon};
 
     const END: End = End::ZeroCompression;
-    const R5: f64 = 5.158_381_704_267_685_5;
+    const R5: f64 = 5.158_381_704_267_685;
 
     #[test]
     fn certified_values_are_given() {
         for (u, kept) in [
             (0.01, 0.988_544_818_656_846_1),
-            (1.0, 0.331_164_810_466_640_94),
+            (1.0, 0.331_164_810_466_640_9),
             (30.0, 2.122_790_824_801_516_6e-7),
             (500.0, 1.650_682_145_365_659_3e-13),
             (2000.0, 1.611_994_282_583_651_6e-16),
@@ -147,6 +146,5 @@ mod tests {
         // The smallest number is that of no larger u.
         let last = u_of_epsilon(5e-324, END);
         assert!((last / 6.364_228e64 - 1.0).abs() < 1e-6, "{last:e}");
-        assert!(super::ZeroCompression::COUNT > 1000);
     }
 }
