@@ -18,7 +18,9 @@ pub fn rug_integer(value: &BigInt) -> Integer {
 
 /// Converts GMP's number to num-bigint's.
 pub fn big_integer(value: &Integer) -> BigInt {
-    let digits = value.to_digits::<u32>(rug::integer::Order::Lsf);
+    // Whole words are copied; halves would be shifted out one byte at a time.
+    let words = value.to_digits::<u64>(rug::integer::Order::Lsf);
+    let digits: Vec<u32> = words.into_iter().flat_map(|word| [word as u32, (word >> 32) as u32]).collect();
     let sign = if value.is_negative() { Sign::Minus } else { Sign::Plus };
     BigInt::from_slice(sign, &digits)
 }

@@ -12,6 +12,7 @@ mod lanes;
 mod prime;
 mod products;
 mod rows;
+mod small_primes;
 mod transform;
 mod workshop;
 
@@ -20,6 +21,7 @@ pub(crate) use fixed::{Fixed, power_of_two};
 pub(crate) use lanes::{LANES, Lanes, arch, turn, vectorised};
 pub(crate) use prime::{Primes, groups_for, primes};
 pub(crate) use rows::{Convolution, Rows, block_for};
+pub(crate) use small_primes::SmallPrimes;
 pub(crate) use transform::{Roots, size_for};
 pub(crate) use workshop::{Extent, Sum, Term, Transformed, Workshop};
 

@@ -10,6 +10,10 @@ use rug::Integer;
 /// coefficients of `phi` have whose indices add up to `j`. Each order in the damping then costs one division by
 /// `m = elastic j + damping n` or `m + unit`, somewhere on the way, and one by `elastic`.
 pub(super) struct Denominators {
+    /// The primes that occur, in the order in which they do; below `2^32`.
+    primes: Vec<u64>,
+    /// For every prime and `n` the least indices `j` at which its exponent reaches 1, 2, ...
+    least: Vec<Vec<Least>>,
     /// For every `n`: `(j, factor)`, sorted by `j`; factors are products of primes and below `2^50`.
     growth: Vec<Vec<(usize, u64)>>,
 }
@@ -20,14 +24,40 @@ const LARGEST_FACTOR: u64 = 1 << 50;
 impl Denominators {
     pub fn bound(lattice: Lattice, damping_order: usize, terms: usize) -> Self {
         let largest = lattice.elastic as u64 * terms as u64 + lattice.damping as u64 * damping_order as u64;
-        let mut gains = vec![Vec::new(); damping_order + 1];
-        for prime in primes_up_to(largest + lattice.unit as u64) {
+        let of_prime = |prime| {
             let local = Local::new(lattice, prime, damping_order, terms);
-            for (least, gains) in local.orders(damping_order).iter().zip(&mut gains) {
-                gains.extend(least.iter().step_by(local.scale).skip(1).map(|&j| (j as usize, prime)));
-            }
-        }
-        Self { growth: gains.into_iter().map(together).collect() }
+            let whole = |least: Least| least.into_iter().step_by(local.scale).skip(1).collect();
+            let least: Vec<Least> = local.orders(damping_order).into_iter().map(whole).collect();
+            // Exponents never fall from one order to the next.
+            least[damping_order].first().copied().map(|first| (first, prime, least))
+        };
+        let mut found: Vec<_> = primes_up_to(largest + lattice.unit as u64).filter_map(of_prime).collect();
+        found.sort_unstable_by_key(|&(first, prime, _)| (first, prime));
+        let gains = |n: usize| {
+            let of_prime = |(_, prime, least): &(u32, u64, Vec<Least>)| {
+                let prime = *prime;
+                least[n].iter().map(|&j| (j as usize, prime)).collect::<Vec<_>>()
+            };
+            together(found.iter().flat_map(of_prime).collect())
+        };
+        let growth = (0..=damping_order).map(gains).collect();
+        let (primes, least) = found.into_iter().map(|(_, prime, least)| (prime, least)).unzip();
+        Self { primes, least, growth }
+    }
+
+    /// The primes that occur, in the order in which they do.
+    pub fn primes(&self) -> &[u64] {
+        &self.primes
+    }
+
+    /// How many of the primes occur up to index `j`, at most.
+    pub fn primes_until(&self, j: usize) -> usize {
+        self.least.partition_point(|orders| orders.last().is_some_and(|least| least[0] as usize <= j))
+    }
+
+    /// The exponent of a prime in the bound.
+    pub fn exponent(&self, n: usize, j: usize, place: usize) -> u32 {
+        self.least[place][n].partition_point(|&least| least as usize <= j) as u32
     }
 
     /// The factors by which the bound of order `n` grows at index `j`, as `(j, factor)`, in rising order of `j`.

@@ -4,16 +4,19 @@
 //! determine every coefficient.
 
 mod denominators;
+mod fractions;
 mod motion;
 mod residues;
 
 use crate::kernels::{
-    Fixed, LANES, Lanes, Level, Primes, Table, groups_for, keep_freed_memory, primes, turn, vectorised,
+    Fixed, LANES, Lanes, Level, Primes, SmallPrimes, Table, groups_for, keep_freed_memory, primes, turn,
+    vectorised,
 };
 use crate::recurrence;
 use crate::trajectories::index;
 use crate::{BoundError, TailBound, Trajectories, turning_time};
 use denominators::Denominators;
+use fractions::fractions;
 use motion::Motion;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, Zero};
@@ -21,7 +24,6 @@ use rayon::prelude::*;
 use residues::Residues;
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
-use restitution_real::convert::big_integer;
 use rug::Integer;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -143,17 +145,17 @@ fn reconstruct(
     primes.par_iter().zip(residues.par_chunks_mut(stride)).for_each(fill);
     let needed = |place: usize| groups_for(bits(place / terms, place % terms));
     let numerators = integers(&primes, &residues, stride, needed);
-    let coefficient = |n: usize, j: usize| {
-        let (numerator, multiple) = (&numerators[n * terms + j], &multiples[n][j]);
-        let common = Integer::from(numerator.gcd_ref(multiple));
-        let denominator = Integer::from(multiple.div_exact_ref(&common));
-        BigRational::new_raw(
-            big_integer(&Integer::from(numerator.div_exact_ref(&common))),
-            big_integer(&denominator),
-        )
+    let words = numerators.iter().map(Integer::significant_digits::<u64>).max();
+    let small = SmallPrimes::new(denominators.primes(), words.unwrap_or(0));
+    let reduce = |n: usize, from: usize, numerators: &[Integer]| {
+        let multiples = &multiples[n][from..from + numerators.len()];
+        fractions(&small, denominators, (n, from), numerators, multiples)
     };
-    let row = |n: usize| (0..terms).into_par_iter().map(move |j| coefficient(n, j)).collect();
-    Some((0..=damping_order).map(row).collect())
+    let row = |(n, numerators): (usize, &[Integer])| {
+        let chunks = numerators.par_chunks(SmallPrimes::ROWS).enumerate();
+        chunks.flat_map_iter(|(i, chunk)| reduce(n, i * SmallPrimes::ROWS, chunk)).collect()
+    };
+    Some(numerators.chunks(terms).enumerate().map(row).collect())
 }
 
 /// The integers with the given residues at every place, of which each needs so many groups of primes.
