@@ -23,7 +23,6 @@ const LARGEST_FACTOR: u64 = 1 << 50;
 
 impl Denominators {
     pub fn bound(lattice: Lattice, damping_order: usize, terms: usize) -> Self {
-        let largest = lattice.elastic as u64 * terms as u64 + lattice.damping as u64 * damping_order as u64;
         let of_prime = |prime| {
             let local = Local::new(lattice, prime, damping_order, terms);
             let whole = |least: Least| least.into_iter().step_by(local.scale).skip(1).collect();
@@ -31,7 +30,8 @@ impl Denominators {
             // Exponents never fall from one order to the next.
             least[damping_order].first().copied().map(|first| (first, prime, least))
         };
-        let mut found: Vec<_> = primes_up_to(largest + lattice.unit as u64).filter_map(of_prime).collect();
+        let primes = primes_of_all(lattice, damping_order, terms);
+        let mut found: Vec<_> = primes.into_iter().filter_map(of_prime).collect();
         found.sort_unstable_by_key(|&(first, prime, _)| (first, prime));
         let gains = |n: usize| {
             let of_prime = |(_, prime, least): &(u32, u64, Vec<Least>)| {
@@ -266,6 +266,39 @@ fn valuation(mut number: i64, prime: u64) -> i64 {
         times += 1;
     }
     times
+}
+
+/// The primes that divide an exponent's unit, `elastic`, or any `m` or `m + unit`, and 2: no other has a weight or an event.
+fn primes_of_all(lattice: Lattice, damping_order: usize, terms: usize) -> Vec<u64> {
+    let Lattice { elastic, damping, unit } = lattice;
+    let orders = 0..=damping_order as i64;
+    let indices = orders.flat_map(|n| (0..terms as i64).map(move |j| elastic * j + damping * n));
+    let numbers = [2, unit, elastic]
+        .into_iter()
+        .chain(indices.flat_map(|m| [m, m + unit]))
+        .filter(|&number| number > 1);
+    let largest = elastic as u64 * terms as u64 + damping as u64 * damping_order as u64 + unit as u64;
+    let mut small: Vec<(u64, bool)> = primes_up_to(largest.isqrt()).map(|prime| (prime, false)).collect();
+    let mut primes = Vec::new();
+    for number in numbers {
+        let mut rest = number as u64;
+        for (prime, divides) in &mut small {
+            if *prime * *prime > rest {
+                break;
+            }
+            while rest.is_multiple_of(*prime) {
+                rest /= *prime;
+                *divides = true;
+            }
+        }
+        // Nothing or a prime.
+        primes.push(rest);
+    }
+    primes.extend(small.into_iter().filter_map(|(prime, divides)| divides.then_some(prime)));
+    primes.sort_unstable();
+    primes.dedup();
+    primes.retain(|&prime| prime > 1);
+    primes
 }
 
 /// The sieve of Eratosthenes.

@@ -14,17 +14,17 @@ use crate::kernels::{
 };
 use crate::recurrence;
 use crate::trajectories::index;
-use crate::{BoundError, TailBound, Trajectories, turning_time};
+use crate::{TailBound, Trajectories, turning_time};
 use denominators::Denominators;
 use fractions::fractions;
 use motion::Motion;
 use num_rational::{BigRational, Ratio};
-use num_traits::{One, Zero};
 use rayon::prelude::*;
 use residues::Residues;
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use rug::Integer;
+use rug::float::Round;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Terms up to which the plain rational recurrence is as fast.
@@ -33,9 +33,11 @@ const FEW_TERMS: usize = 24;
 const LEVELS: usize = 16;
 /// Terms for which one bound of their sizes is found: it gives away two or three bits for each.
 const STRIDE: usize = 4;
+/// Bits of logarithms behind the point.
+const FRACTION: u32 = 20;
 /// Coefficients that are reconstructed together.
 const BLOCK: usize = 16;
-/// Largest lattice index that the sieve for the denominators is made for.
+/// Largest lattice index whose primes are looked for: all are below `2^32`.
 const LARGEST_INDEX: i64 = 100_000_000;
 
 impl Trajectories {
@@ -73,7 +75,7 @@ impl Trajectories {
         let bounds = || {
             let denominators = || Denominators::bound(law.lattice(), damping_order, terms);
             let (sizes, denominators) = rayon::join(|| sizes(law, damping_order, terms), denominators);
-            Some(Bounds { sizes: sizes.ok()?, denominators })
+            Some(Bounds { sizes: sizes?, denominators })
         };
         let exact = if small { None } else { bounds() };
         let orders = exact.and_then(|bounds| reconstruct(law, damping_order, terms, &bounds, watch));
@@ -83,28 +85,32 @@ impl Trajectories {
     }
 }
 
-/// For every `(n, j)` an exponent `s` with `|q_(n,j)| <= 2^s`.
-fn sizes(law: &ForceLaw, damping_order: usize, terms: usize) -> Result<Vec<Vec<i64>>, BoundError> {
-    let bound = TailBound::find_rough(law, damping_order)?;
-    let time = turning_time(law, 64);
-    let elastic = Ball::one() / time.pow(&law.elastic_step());
-    let damping = Ball::one() / time.pow(&law.damping_step());
+/// For every `(n, j)` an exponent `s` with `|q_(n,j)| <= 2^s`; none where no bound is known.
+fn sizes(law: &ForceLaw, damping_order: usize, terms: usize) -> Option<Vec<Vec<i64>>> {
+    let bound = TailBound::find_rough(law, damping_order).ok()?;
     let checked = bound.checked_terms();
+    let integer = |x: i64| Ball::from_integer(x, 64);
+    let logarithm = turning_time(law, 64).ln() / integer(2).ln() * integer(1 << FRACTION);
+    // The binary logarithm of T^-step, rounded up behind the fraction's bits.
+    let up = |step: &BigRational| {
+        let exact = -(&logarithm * Ball::from_rational(step, 64));
+        exact.upper().to_integer_round(Round::Up).and_then(|(integer, _)| integer.to_i64())
+    };
+    let (elastic, damping) = (up(&law.elastic_step())?, up(&law.damping_step())?);
     let row = |n: usize| {
-        let mut scale = damping.powi(i64::try_from(n).unwrap_or(i64::MAX));
-        let mut scaled = Ball::zero();
+        let mut scaled = 0;
         let size = |j: usize| {
             // Beyond the head bounds fall with j: one holds for those that follow.
             if j <= checked || j.is_multiple_of(STRIDE) {
-                scaled = Ball::exact(bound.coefficient_up(n, j));
+                let coefficient = bound.coefficient_up(n, j);
+                scaled = if coefficient.is_zero() { 0 } else { i64::from(coefficient.get_exp()?) };
             }
-            let size = (&scaled * &scale).abs_up();
-            scale *= &elastic;
-            size.get_exp().map_or(0, i64::from)
+            // Rounded up.
+            Some(scaled - ((-elastic * j as i64 - damping * n as i64) >> FRACTION))
         };
-        (0..terms).map(size).collect()
+        (0..terms).map(size).collect::<Option<Vec<i64>>>()
     };
-    Ok((0..=damping_order).into_par_iter().map(row).collect())
+    (0..=damping_order).into_par_iter().map(row).collect()
 }
 
 /// What is known of the coefficients before they are found.

@@ -85,3 +85,24 @@ fn weights_are_the_exponents_of_the_inverse() {
         }
     }
 }
+
+#[test]
+fn primes_are_those_of_a_sieve() {
+    for (law, order, terms) in
+        [("3/2,1/2", 3, 60), ("1,0", 0, 30), ("997/1009,5/7", 2, 40), ("47/12,13/10", 4, 30)]
+    {
+        let Lattice { elastic, damping, unit } = law.parse::<ForceLaw>().unwrap().lattice();
+        let largest = elastic * terms as i64 + damping * order as i64 + unit;
+        let divides = |number: i64, prime: u64| number > 0 && number % prime as i64 == 0;
+        let occurs = |&prime: &u64| {
+            [2, unit, elastic].into_iter().any(|number| divides(number, prime))
+                || (0..=order as i64).any(|n| {
+                    (0..terms as i64)
+                        .map(|j| elastic * j + damping * n)
+                        .any(|m| divides(m, prime) || divides(m + unit, prime))
+                })
+        };
+        let expected: Vec<u64> = primes_up_to(largest as u64).filter(occurs).collect();
+        assert_eq!(primes_of_all(Lattice { elastic, damping, unit }, order, terms), expected, "{law}");
+    }
+}
