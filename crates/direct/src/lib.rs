@@ -21,6 +21,8 @@ mod online;
 mod overdamping;
 mod phase_arc;
 mod phase_sides;
+#[cfg(test)]
+mod polynomial;
 mod precision;
 mod saturation;
 mod stepper;

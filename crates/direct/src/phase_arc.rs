@@ -208,6 +208,9 @@ impl<'a> Damped<'a> {
 const FEW_TERMS: usize = 33;
 
 #[cfg(test)]
+mod exactly;
+
+#[cfg(test)]
 mod tests {
     use super::*;
     use restitution_law::ForceLaw;

@@ -220,4 +220,6 @@ fn ranges(coefficients: &[Integer], bits: u32) -> Vec<Ball> {
 }
 
 #[cfg(test)]
+mod exactly;
+#[cfg(test)]
 mod tests;

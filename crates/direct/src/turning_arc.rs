@@ -158,6 +158,9 @@ fn positive(bound: Ball) -> Ball {
 }
 
 #[cfg(test)]
+mod exactly;
+
+#[cfg(test)]
 mod tests {
     use super::*;
     use restitution_law::ForceLaw;
