@@ -60,7 +60,11 @@ impl Collision {
             let share = BigRational::new(quarter.into(), 4.into());
             let between = from + (to - from) * &share;
             let chord = &first + (&last - &first) * Ball::from_rational(&share, BITS);
-            largest = largest.max(&(epsilon(&between)? - chord).abs().upper());
+            // Not with Float::max, which rounds what it takes from the other.
+            let off = (epsilon(&between)? - chord).abs().upper();
+            if off > largest {
+                largest = off;
+            }
         }
         let bound = Ball::exact(largest) * Ball::from_rational(&BigRational::new(4.into(), 3.into()), BITS);
         Ok(bound.upper().to_f64_round(rug::float::Round::Up))
