@@ -19,6 +19,8 @@ mod interpolant;
 mod interpolation;
 mod online;
 mod overdamping;
+#[cfg(test)]
+mod perturbed;
 mod phase_arc;
 mod phase_sides;
 #[cfg(test)]
