@@ -344,4 +344,6 @@ fn decay(coordinate: &Jets, flow: &Flow) -> f64 {
 }
 
 #[cfg(test)]
+mod perturbed;
+#[cfg(test)]
 mod tests;
