@@ -9,6 +9,7 @@ use restitution_direct::Collision;
 use restitution_law::ForceLaw;
 use restitution_real::Ball;
 use rug::Float;
+use rug::float::Round;
 use std::sync::OnceLock;
 
 /// Bits of the certified values, before a small loss takes its own.
@@ -25,9 +26,9 @@ fn collision(end: End) -> &'static Collision {
     })
 }
 
-/// The error of `value` in units of the last place of `exact`.
+/// The error of `value` in units of the last place of `exact`: of the numbers below it, where it lies just below a power of two.
 fn ulps(value: f64, exact: &Ball) -> f64 {
-    let size = exact.to_f64().abs();
+    let size = exact.mid().to_f64_round(Round::Zero).abs();
     let ulp = (size.next_up() - size).max(5e-324);
     (Float::with_val(PREC, value - exact.mid()) / ulp).to_f64().abs()
 }
@@ -89,5 +90,19 @@ fn from_a_velocity(random: &mut Source, end: End, tally: &mut Tally) {
         tally.expect(error <= VELOCITY_ULP, "epsilon from a velocity", || {
             format!("u_1 = 2^{k}, g = {g:e}, {end:?}: off by {error} ulp")
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_those_of_the_exact_value() {
+        let exact = |off: f64| Ball::exact(Float::with_val(PREC, 1) + off);
+        // Just below 1 numbers are twice as close as above.
+        assert_eq!(ulps(1.0, &exact(-(2f64.powi(-55)))), 0.25);
+        assert_eq!(ulps(1.0, &exact(2f64.powi(-54))), 0.25);
+        assert_eq!(ulps(1.0 - 2f64.powi(-53), &exact(-(2f64.powi(-55)))), 0.75);
     }
 }
