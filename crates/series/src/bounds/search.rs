@@ -74,9 +74,12 @@ impl Search {
                 return (rates, depth);
             }
             let Some(largest) = largest_damping(&majorant, ratio) else { return (rates, 0.0) };
+            let alone = rates.len();
             rates.extend(
                 self.fractions.iter().filter_map(|fraction| majorant.decay(ratio, fraction * largest)),
             );
+            // A depth counts where every order is covered.
+            let depth = if rates.len() > alone { depth } else { 0.0 };
             (rates, depth)
         };
         let found: Vec<(Vec<Decay>, f64)> = self.depths.par_iter().map(of_depth).collect();
