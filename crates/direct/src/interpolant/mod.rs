@@ -268,4 +268,28 @@ mod tests {
             assert!(damping.jet.len() <= 3 && Jets::constant(&damping.jet, 64).range().high.is_positive());
         }
     }
+
+    #[test]
+    fn what_is_asked_for_is_an_interval_of_dampings() {
+        use restitution::End;
+        let ratio = |n: i64, d: i64| BigRational::new(n.into(), d.into());
+        let spheres = Collision::new(&"3/2,1/2".parse().unwrap(), End::ZeroForce).unwrap();
+        let ask = |from: BigRational, to: BigRational, degree: usize, prec: u32| {
+            spheres.interpolant(&from, &to, Variable::Root, degree, prec)
+        };
+        let piece = ask(ratio(9, 10), ratio(1, 1), 4, 60).unwrap();
+        assert_eq!((piece.variable(), piece.coefficients().len()), (Variable::Root, 5));
+        let at = |n: i64, d: i64| piece.enclose(&Ball::from_ratio(n, d, 80));
+        assert!(at(19, 20).is_some() && at(9, 10).is_none_or(|e| e.is_finite()));
+        assert!(at(88, 100).is_none() && at(102, 100).is_none() && at(0, 1).is_none());
+        for wrong in [
+            ask(ratio(-1, 10), ratio(1, 1), 4, 60),
+            ask(ratio(1, 1), ratio(9, 10), 4, 60),
+            ask(ratio(9, 10), ratio(1, 1), 101, 60),
+            ask(ratio(9, 10), ratio(1, 1), 4, 39),
+        ] {
+            assert!(matches!(wrong, Err(DirectError::Interval { .. })));
+        }
+        assert!(ask(ratio(1, 1), ratio(1, 1), 0, 60).is_ok());
+    }
 }
