@@ -168,6 +168,12 @@ mod tests {
                 assert!((found.rad().to_f64() / excess - 1.0).abs() < 1e-9, "{found:?} {excess:e}");
                 assert_eq!(found.mid(), speed.mid());
             }
+            // At z = 2: g = 4 - u w, m half of 4.
+            let equation = Equation::new(&ForceLaw::viscoelastic_spheres(), &Ball::from_f64(0.5, 100), 100);
+            let (off, w) = (sign * part / 4.0, 2.0 * (4.0 - sign * part / 4.0));
+            let found = around_zero(&equation, &Ball::from_integer(2, 100), &Ball::from_f64(w, 100));
+            let excess = 4.0 * (2.0 * (1.0 + part)).powi(2) / w * off * off / (2.0 * m);
+            assert!((found.rad().to_f64() / excess - 1.0).abs() < 1e-9, "{found:?} {excess:e}");
             // The zero lies in the part 2^-20 around z, over which m was taken.
             assert!(around(0.5, sign * 0.999 * part * m).0.is_finite());
             for beyond in [1.001, 2.0, 1000.0] {
