@@ -1,4 +1,5 @@
 use crate::{FractionalSeries, SeriesError, Trajectories};
+use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, ToPrimitive};
 use rayon::prelude::*;
@@ -93,12 +94,12 @@ impl TimeOrder {
         Ok(series.truncated(end.to_usize().unwrap_or(usize::MAX)))
     }
 
+    /// How many coefficients of `x_n` lie within: `1 + (gamma+1) n + (a+1) j` is at most the power.
     fn within(&self, trajectories: &Trajectories, n: usize) -> usize {
-        let beyond = |j: &usize| {
-            let exponent = trajectories.exponent(n, *j);
-            BigRational::new((*exponent.numer()).into(), (*exponent.denom()).into()) > self.power
-        };
-        (0..trajectories.terms()).find(beyond).unwrap_or(trajectories.terms())
+        let first = BigRational::one() + self.law.damping_step() * BigRational::from_integer(n.into());
+        let last = (&self.power - first) / self.law.elastic_step();
+        let count = (last.floor().to_integer() + BigInt::one()).max(BigInt::ZERO);
+        count.to_usize().unwrap_or(usize::MAX).min(trajectories.terms())
     }
 
     /// Bytes that the trajectories up to the order `most` and their fractions as text take at the peak.

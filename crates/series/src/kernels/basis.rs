@@ -119,7 +119,11 @@ impl Level {
         let guard = if shift == 0 { 0 } else { GUARD };
         let all: Vec<u64> = primes.iter().flat_map(|group| group.p.integers()).collect();
         let product = product_of(&all);
-        let moved = |x: Integer| ((x << (32 * guard as u32)) >> shift).to_digits::<u32>(Order::Lsf);
+        // Whole words are copied; halves would be shifted out one byte at a time.
+        let moved = |x: Integer| -> Vec<u32> {
+            let words = ((x << (32 * guard as u32)) >> shift).to_digits::<u64>(Order::Lsf);
+            words.into_iter().flat_map(|word| [word as u32, (word >> 32) as u32]).collect()
+        };
         let mut whole = moved(product.clone());
         let mut digits = Digits::zero(all.len(), whole.len());
         for (i, &p) in all.iter().enumerate() {

@@ -177,7 +177,7 @@ fn integers(
     let mut integers = vec![Integer::new(); stride];
     let levels: Vec<usize> =
         (0..stride).map(|place| needed(place).next_multiple_of(step).min(primes.len())).collect();
-    for count in (0..=primes.len()).filter(|count| levels.contains(count)) {
+    let of_level = |count: usize| {
         let level = Level::new(&primes[..count], 0);
         let width = count * LANES * 50 / 64 + 1;
         let places: Vec<usize> = (0..stride).filter(|&place| levels[place] == count).collect();
@@ -188,7 +188,11 @@ fn integers(
             (0..found.len()).map(|i| found.integer(i)).collect::<Vec<_>>()
         };
         let found: Vec<Integer> = places.par_chunks(BLOCK).flat_map_iter(block).collect();
-        places.into_iter().zip(found).for_each(|(place, integer)| integers[place] = integer);
+        places.into_iter().zip(found).collect::<Vec<_>>()
+    };
+    let counts = (0..=primes.len()).into_par_iter().filter(|count| levels.contains(count));
+    for (place, integer) in counts.flat_map_iter(of_level).collect::<Vec<_>>() {
+        integers[place] = integer;
     }
     integers
 }
