@@ -105,7 +105,7 @@ impl TimeOrder {
     /// Bytes that the trajectories up to the order `most` and their fractions as text take at the peak.
     ///
     /// Numerator and denominator of coefficient `j` have about `20 j` bits each, and are held as residues, as integers and as
-    /// text. Two to four times what was measured for (order, power) = (3, 2000), (0, 5000): 45, 68 MB.
+    /// text. About twice what was measured for (order, power) = (3, 2000), (0, 5000): 51, 95 MB.
     pub fn memory_estimate(&self, most: usize) -> f64 {
         let (orders, terms) = (self.damping_order(most) as f64 + 2.0, self.terms() as f64);
         orders * terms * (30.0 * terms + 300.0)
