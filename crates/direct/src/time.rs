@@ -44,10 +44,6 @@ pub(crate) fn impact_to_way_out(equation: &Equation, end: End) -> Option<PhasePo
             let step = TimeArc::expand(equation, &chart, &at, &pace, degree(equation)).prove(&point)?;
             is_in_contact(equation, &step.reached, end).then_some(step)
         })?;
-        // What was tried with fewer bits is not proved of this step.
-        if !next.z.is_positive() {
-            return None;
-        }
         (at, point) = (next, reached);
         farthest = farthest.max(&Float::with_val(BOUND_BITS, &point.z));
         if point.v < 0 && Float::with_val(BOUND_BITS, &point.z * 2u32) < farthest {
