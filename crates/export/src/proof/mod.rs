@@ -40,7 +40,8 @@ impl Worst {
     const NONE: Self = Self { bound: 0.0, at: 0.0 };
 
     fn or(self, bound: f64, at: f64) -> Self {
-        if bound <= self.bound { self } else { Self { bound, at } } // NaN wins
+        let bound = if bound.is_nan() { f64::INFINITY } else { bound }; // nothing is proved
+        if bound <= self.bound { self } else { Self { bound, at } }
     }
 }
 
@@ -104,7 +105,9 @@ impl Span {
         let width = Ball::from_integer(1, PREC) / Ball::exact(interpolant.half_width().clone());
         let inner =
             line.plus(&Polynomial::constant(&Float::with_val(PREC, -interpolant.center()))).scaled(&width);
+        let within = inner.size().1 <= 1.0; // beyond its interval an interpolant says nothing
         let remainder = interpolant.remainder().upper().to_f64_round(rug::float::Round::Up);
+        let remainder = if within { remainder } else { f64::INFINITY };
         let (u, root) = match interpolant.variable() {
             Variable::Damping => (line, None),
             Variable::Root => (line.clone() * line.clone(), Some(line)),
@@ -264,6 +267,30 @@ fn collision(end: End) -> Result<Collision, DirectError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_no_number_proves_nothing() {
+        let worst = Worst::NONE.or(1.0, 2.0).or(f64::NAN, 3.0).or(4.0, 5.0);
+        assert_eq!(worst, Worst { bound: f64::INFINITY, at: 3.0 });
+        let one = Rounded::new(0.75, 0.875, 0.0);
+        assert!(one.units(f64::NAN).is_nan() && one.units(f64::INFINITY).is_infinite());
+        assert!(one.relative(f64::NAN).is_infinite() && one.relative(f64::INFINITY).is_infinite());
+    }
+
+    #[test]
+    fn a_unit_just_below_a_power_of_two_is_the_smaller_one() {
+        let missed = f64::EPSILON / 8.0; // 1 - missed is 1 in f64, and its unit half of that of 1
+        let one = Rounded::new(1.0, 1.0, 0.0);
+        assert!((one.units(missed) - 0.75).abs() < 1e-9, "{}", one.units(missed));
+    }
+
+    #[test]
+    fn an_interpolant_says_nothing_beyond_its_interval() {
+        let group = groups(End::ZeroCompression).into_iter().find(|group| group.low() >= 1.0).unwrap();
+        let interpolant = group.interpolant().unwrap();
+        let at = |high: f64| Span::new(interpolant, group.low(), high).remainder;
+        assert!(at(group.high()) < 1e-15 && at(group.high() * 1.1).is_infinite());
+    }
 
     /// `epsilon(k g)` against `epsilon(g)`, from small velocities to large ones, where the limits of the lemmas are reached.
     #[test]

@@ -41,7 +41,7 @@ impl Rounded {
 
     /// A bound of the error relative to an exact result within `missed` of this one.
     pub(super) fn relative(&self, missed: f64) -> f64 {
-        let least = self.low.abs().min(self.high.abs()) - missed;
+        let least = (self.low.abs().min(self.high.abs()) - missed).next_down();
         let known = self.low * self.high > 0.0 && least > 0.0;
         if known { (self.error + missed) * SLACK / least } else { f64::INFINITY }
     }
@@ -51,7 +51,8 @@ impl Rounded {
     /// The last rounding is half a unit of the result. Just below a power of two, where units are smaller than those of what
     /// is rounded, the result is that power as long as everything else is below one unit; else the rounding counts one.
     pub(super) fn units(&self, missed: f64) -> f64 {
-        let (least, most) = (self.low.abs().min(self.high.abs()) - missed, self.largest() + missed);
+        let least = (self.low.abs().min(self.high.abs()) - missed).next_down();
+        let most = (self.largest() + missed).next_up();
         let unit = 2.0 * half_unit(least);
         let before = (self.error - self.last * (1.0 - 1e-12) + missed) * SLACK / unit;
         let straddles = half_unit(most) > half_unit(least);

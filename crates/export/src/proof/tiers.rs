@@ -40,7 +40,7 @@ impl Group {
             let span = Span::new(interpolant, (low - margin).max(0.0), high + margin);
             largest(&span, tier, row, low, high)
         });
-        Ok(errors.fold(0.0, |a, b| if b <= a { a } else { b }))
+        Ok(errors.fold(0.0, worse))
     }
 }
 
@@ -68,7 +68,11 @@ fn largest<const ROWS: usize, const WIDTH: usize>(
         let at = |part: u32| low + (high - low) * (f64::from(part) / f64::from(PARTS));
         let (least, most) = ((end - at(part + 1)) / width, (end - at(part)) / width);
         let rounded = tier.form(row, Rounded::new(least.next_down() - place, most.next_up() + place, place));
-        let error = rounded.relative(missed);
-        if error <= worst { worst } else { error } // NaN wins
+        worse(worst, rounded.relative(missed))
     })
+}
+
+/// The larger of two errors; one that is no number proves nothing.
+fn worse(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
