@@ -73,6 +73,13 @@ fn the_tolerances_of_tiers_on_some_intervals() {
         );
     }
     assert_eq!(compression.prove_tier(&tiers::ZERO_FORCE_1E3).unwrap(), 0.0);
+    // Intervals that are narrower than what a place is rounded by.
+    for proved in [
+        at(End::ZeroCompression, 2e-17).prove_tier(&tiers::ZERO_COMPRESSION_1E6),
+        at(End::ZeroForce, 2e-17).prove_tier(&tiers::ZERO_FORCE_1E3),
+    ] {
+        assert!(proved.unwrap() < 1e-3);
+    }
 }
 
 /// One number of a row larger, each so that the value is off by two units in the last place at least.

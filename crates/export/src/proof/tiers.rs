@@ -22,8 +22,10 @@ impl Group {
     ) -> Result<f64, DirectError> {
         let own: Vec<_> = (0..ROWS)
             .map(|row| {
+                // A place that is rounded may belong to the row beside.
                 let (low, high) = tier.ends(row);
-                (row, low.max(self.low()), high.min(self.high()).min(tier.far()))
+                let margin = half_unit(high + tier.shift());
+                (row, (low - margin).max(self.low()), (high + margin).min(self.high()).min(tier.far()))
             })
             .filter(|(_, low, high)| low < high)
             .flat_map(|(row, low, high)| {
@@ -36,8 +38,7 @@ impl Group {
         }
         let interpolant = self.interpolant()?;
         let errors = own.into_iter().map(|(row, low, high)| {
-            let margin = half_unit(high + tier.shift());
-            let span = Span::new(interpolant, (low - margin).max(0.0), high + margin);
+            let span = Span::new(interpolant, low.next_down(), high.next_up());
             largest(&span, tier, row, low, high)
         });
         Ok(errors.fold(0.0, worse))
