@@ -23,7 +23,7 @@ pub struct Beside {
 }
 
 impl Beside {
-    /// Reads the two files of a report, given as text: [`speed::FILE`](Self::FILES) and the machine.
+    /// Reads the two files of a report, given as text: those of [`Beside::FILES`].
     ///
     /// # Errors
     ///
@@ -45,6 +45,9 @@ impl Beside {
         });
         let other = Self { machine, times: times.collect::<Result<_, ReportError>>()? };
         let here = Machine::this();
+        if other.of(INSTRUCTIONS).is_empty() {
+            return Err(no_report());
+        }
         for what in SAME {
             let (ours, theirs) = (here.of(what), other.of(what));
             if ours != theirs {
@@ -141,6 +144,9 @@ mod tests {
         {
             assert!(Beside::read(bad, &machine()).is_err(), "{bad:?}");
         }
+        let older: String =
+            machine().lines().filter(|l| !l.starts_with(INSTRUCTIONS)).map(|l| format!("{l}\n")).collect();
+        assert!(Beside::read(speed, &older).is_err());
         let other = machine().replace(&Machine::this().of("version"), "restitution 0.0.1");
         let refused = Beside::read(speed, &other).unwrap_err().to_string();
         assert!(refused.starts_with("its version is 'restitution 0.0.1'"), "{refused}");

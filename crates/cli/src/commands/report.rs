@@ -3,10 +3,10 @@
 mod folder;
 
 use crate::CliError;
+use crate::input;
 use crate::progress::Progress;
 use folder::Folder;
 use restitution_report::{Beside, Effort, make};
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Arguments of `restitution report`.
@@ -40,17 +40,18 @@ impl ReportArgs {
     }
 }
 
+/// Longest file of a report that is read, in bytes.
+const LARGEST_FILE: u64 = 10_000_000;
+
 /// Reads the report of another build.
 fn read(folder: &Path) -> Result<Beside, CliError> {
-    let failed =
-        |reason: &str| CliError::usage(format!("cannot read the report in '{}': {reason}", folder.display()));
-    let file = |name: &str| match fs::read_to_string(folder.join(name)) {
-        Ok(text) => Ok(text),
-        Err(error) => Err(failed(&format!(
-            "{name}: {}; give the folder that another build wrote with `report -o`",
-            error.kind()
-        ))),
+    let remedy = "give --beside the folder that another build wrote with 'report -o'";
+    let file = |name: &str| {
+        let bytes = input::read(&folder.join(name), LARGEST_FILE, remedy)
+            .map_err(|error| CliError::usage(format!("{error}; {remedy}")))?;
+        Ok::<_, CliError>(String::from_utf8_lossy(&bytes).into_owned())
     };
     let [speed, machine] = Beside::FILES;
-    Beside::read(&file(speed)?, &file(machine)?).map_err(|error| failed(&error.to_string()))
+    Beside::read(&file(speed)?, &file(machine)?)
+        .map_err(|error| CliError::usage(format!("cannot use the report in '{}': {error}", folder.display())))
 }

@@ -129,8 +129,8 @@ fn another_build_stands_beside() {
     fs::write(other.join("machine.csv"), renamed).unwrap();
     for (beside, reason) in [
         (other.clone(), "its processor is 'Z80', here it is '"),
-        (place.path().join("none"), "give the folder that another build wrote"),
-        (place.path().to_owned(), "give the folder that another build wrote"),
+        (place.path().join("none"), "give --beside the folder that another build wrote"),
+        (place.path().to_owned(), "give --beside the folder that another build wrote"),
     ] {
         let (code, message) =
             fail(&format!("report --quick --beside {} -o {}", beside.display(), folder.display()));
