@@ -25,6 +25,11 @@ impl Equation {
         Self { law: law.clone(), coordinate, u: u.with_prec(prec), prec, order }
     }
 
+    /// The same equation at another working precision, with Taylor polynomials of the same degree.
+    pub(crate) fn at(&self, prec: u32) -> Self {
+        Self { prec, u: self.u.with_prec(prec), ..self.clone() }
+    }
+
     /// Bits a coefficient should lose from one degree to the next.
     pub(crate) fn wanted_slope(&self) -> f64 {
         f64::from(self.prec + 4) / self.order as f64

@@ -125,18 +125,11 @@ impl PhaseArc {
         &start * ((end / &start).ln() * theta).exp()
     }
 
-    /// `dz/dtheta` where the coordinate is `z`.
-    pub(crate) fn pace(&self, equation: &Equation, z: &Ball) -> Ball {
-        let exact = |z: &Float| Ball::exact(z.clone()).with_prec(equation.prec);
-        let (start, end) = (exact(&self.start), exact(&self.end));
-        if equation.coordinate.crosses_zero() { end - start } else { (end / start).ln() * z }
-    }
-
-    /// The true velocity at the part `theta` of the step.
-    pub(crate) fn velocity(&self, theta: &Ball) -> Ball {
+    /// The true velocity at the part `theta` of the step, computed with `prec` bits.
+    pub(crate) fn velocity(&self, theta: &Ball, prec: u32) -> Ball {
         let mut sum = zero();
         for c in self.coefficients.iter().rev() {
-            sum = sum * theta + from_fixed(c, self.bits, self.bits + 16);
+            sum = sum * theta + from_fixed(c, self.bits, prec + 16);
         }
         velocity_near(&sum.shifted(i32::try_from(self.scale).unwrap_or(0)), &self.energy)
     }

@@ -17,6 +17,8 @@ const MOST_DAMPING: f64 = 8.0;
 const TRIAL_BITS: u32 = 320;
 /// Degree per bit: steps of a third of the distance to the next singularity.
 const DEGREE_PER_BIT: f64 = 0.55;
+/// Shares of the length found at few bits that are tried in turn.
+const SHARES: [f64; 3] = [1.0, 0.9, 0.81];
 /// Trials of one step's length.
 const TRIALS: usize = 12;
 /// Steps of one collision.
@@ -24,11 +26,8 @@ const STEPS: usize = 100;
 
 /// Follows the motion until it is well on its way out; `None` where this does not pay or is not proved.
 pub(crate) fn impact_to_way_out(equation: &Equation, end: End) -> Option<PhasePoint> {
-    if equation.prec < LEAST_BITS || equation.u.to_f64() > MOST_DAMPING {
-        return None;
-    }
-    let chart = TimeChart::of(equation)?;
-    let trial = Equation { prec: TRIAL_BITS, u: equation.u.with_prec(TRIAL_BITS), ..equation.clone() };
+    let chart = pays(equation.prec, equation.u.to_f64()).then(|| TimeChart::of(equation)).flatten()?;
+    let trial = equation.at(TRIAL_BITS);
     let one = Float::with_val(equation.prec, 1);
     let mut at = FixedPoint { z: Integer::new(), v: Integer::from(1) << equation.prec };
     let mut point = PhasePoint { z: Float::new(equation.prec), v: one, energy: zero() };
@@ -37,20 +36,30 @@ pub(crate) fn impact_to_way_out(equation: &Equation, end: End) -> Option<PhasePo
         let small = at.cut(equation.prec - TRIAL_BITS);
         match trial_length(&trial, &chart, &small, end, length) {
             Some(next) => length = next,
-            None => return (point.v < 0).then_some(point),
+            None => return point.v.is_sign_negative().then_some(point),
         }
-        let TimeStep { end: next, reached } = (0..3).find_map(|shorter| {
-            let pace = chart.pace(length * 0.9f64.powi(shorter));
+        let TimeStep { end: next, reached } = SHARES.iter().find_map(|share| {
+            let pace = chart.pace(length * share);
             let step = TimeArc::expand(equation, &chart, &at, &pace, degree(equation)).prove(&point)?;
             is_in_contact(equation, &step.reached, end).then_some(step)
         })?;
         (at, point) = (next, reached);
         farthest = farthest.max(&Float::with_val(BOUND_BITS, &point.z));
-        if point.v < 0 && Float::with_val(BOUND_BITS, &point.z * 2u32) < farthest {
+        if is_well_out(&point, &farthest) {
             return Some(point);
         }
     }
     None
+}
+
+/// Whether few long steps cost less than many short ones.
+fn pays(bits: u32, u: f64) -> bool {
+    bits >= LEAST_BITS && u <= MOST_DAMPING
+}
+
+/// Whether a point on the way out has left more than half of the way behind.
+fn is_well_out(point: &PhasePoint, farthest: &Float) -> bool {
+    point.v.is_sign_negative() && Float::with_val(BOUND_BITS, &point.z * 2u32) < *farthest
 }
 
 fn degree(equation: &Equation) -> usize {
@@ -69,8 +78,8 @@ fn trial_length(
 ) -> Option<f64> {
     let bits = equation.prec;
     let start = PhasePoint {
-        z: from_fixed(&from.z, bits, bits + 32).mid().clone(),
-        v: from_fixed(&from.v, bits, bits + 32).mid().clone(),
+        z: from_fixed(&from.z, bits, bits).mid().clone(),
+        v: from_fixed(&from.v, bits, bits).mid().clone(),
         energy: zero(),
     };
     let wanted = 1.0 / DEGREE_PER_BIT + 0.1;
@@ -79,19 +88,25 @@ fn trial_length(
         let arc = TimeArc::expand(equation, chart, from, &chart.pace(length), degree(equation));
         let factor = (arc.slope() - wanted).exp2();
         let proved = || arc.prove(&start).is_some_and(|step| is_in_contact(equation, &step.reached, end));
-        if factor >= 0.99 && proved() {
+        let fits = factor >= 0.99 && proved();
+        if fits {
             best = Some(length);
-            if factor < 1.06 {
-                break;
-            }
-            length *= factor.min(1.5);
-        } else if best.is_some() {
-            break;
-        } else {
-            length *= if factor < 1.0 { (0.98 * factor).max(0.3) } else { 0.7 };
+        }
+        match change(factor, fits, best.is_some()) {
+            Some(change) => length *= change,
+            None => break,
         }
     }
     best
+}
+
+/// By how much to change the length of a trial, `factor` short of what its coefficients have room for; `None` to end with the best.
+fn change(factor: f64, fits: bool, one_fitted: bool) -> Option<f64> {
+    match (fits, one_fitted) {
+        (true, _) => (factor >= 1.06).then(|| factor.min(1.5)),
+        (false, true) => None,
+        (false, false) => Some(if factor < 1.0 { (0.98 * factor).max(0.3) } else { 0.7 }),
+    }
 }
 
 /// Whether contact is proved to go on at a point: coordinate and, where it ends there, force are positive.
@@ -104,6 +119,42 @@ fn is_in_contact(equation: &Equation, at: &PhasePoint, end: End) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn long_steps_are_taken_at_many_bits_and_moderate_damping() {
+        for (bits, u, is) in
+            [(600, 8.0, true), (599, 1.0, false), (900, 8.5, false), (900, 0.0, true), (599, 9.0, false)]
+        {
+            assert_eq!(pays(bits, u), is, "{bits} {u}");
+        }
+        let at = |z: f64, v: f64| PhasePoint {
+            z: Float::with_val(80, z),
+            v: Float::with_val(80, v),
+            energy: zero(),
+        };
+        let farthest = Float::with_val(BOUND_BITS, 1);
+        for (z, v, is) in [(0.5, -1.0, false), (0.49, -1.0, true), (0.49, 1.0, false), (0.6, -1.0, false)] {
+            assert_eq!(is_well_out(&at(z, v), &farthest), is, "{z} {v}");
+        }
+    }
+
+    #[test]
+    fn a_trial_grows_as_far_as_there_is_room_and_shrinks_where_it_did_not_fit() {
+        for (factor, fits, one_fitted, wanted) in [
+            (1.06, true, true, Some(1.06)),
+            (1.059, true, true, None),
+            (1.4, true, true, Some(1.4)),
+            (2.0, true, true, Some(1.5)),
+            (1.2, false, true, None),
+            (0.5, false, true, None),
+            (0.5, false, false, Some(0.98 * 0.5)),
+            (0.2, false, false, Some(0.3)),
+            (1.0, false, false, Some(0.7)),
+            (3.0, false, false, Some(0.7)),
+        ] {
+            assert_eq!(change(factor, fits, one_fitted), wanted, "{factor} {fits} {one_fitted}");
+        }
+    }
 
     /// Spheres at `u = 1/2`: on the way out the force is positive while `|v| < 2 z^2`.
     #[test]

@@ -8,8 +8,8 @@ use num_traits::One;
 use restitution_real::Ball;
 use rug::Float;
 
-/// Halvings and Newton steps that the search may take; a tiny damping needs many.
-const ITERATIONS: u32 = 4096;
+/// Evaluations that the search for a place may take; a tiny damping needs many.
+const EVALUATIONS: u32 = 4096;
 /// Bits that say how close, relative to the place, the zero must be known.
 const NEAR: i32 = 20;
 
@@ -62,8 +62,22 @@ pub(crate) fn locate(equation: &Equation, arc: &PhaseArc) -> ForceZero {
 
 /// The speed at a zero of the force that lies on the arc.
 fn speed_at_zero(equation: &Equation, arc: &PhaseArc) -> Ball {
-    let (z, speed) = newton(equation, arc);
+    let at = |equation: &Equation, theta: &Float| {
+        let part = Ball::exact(theta.clone()).with_prec(equation.prec);
+        (arc.coordinate(equation, &part), arc.velocity(&part, equation.prec).abs())
+    };
+    let rough = equation.at(rough(equation.prec));
+    let theta = crossing(rough.prec, |theta| {
+        let (z, speed) = at(&rough, theta);
+        rough.balance(&z, &speed)
+    });
+    let (z, speed) = at(equation, &theta);
     around_zero(equation, &z, &speed)
+}
+
+/// Bits of a place whose error counts by its square.
+fn rough(bits: u32) -> u32 {
+    bits / 2 + 16
 }
 
 /// The speed at the zero of the force next to a point of the motion; the whole line if it may be farther than a part `2^-20` of the place.
@@ -90,46 +104,77 @@ fn around_zero(equation: &Equation, z: &Ball, speed: &Ball) -> Ball {
     speed.clone().widened(&excess.upper())
 }
 
-/// Newton's iteration for the zero of the balance on an arc, kept between its ends.
-fn newton(equation: &Equation, arc: &PhaseArc) -> (Ball, Ball) {
-    let c = &equation.coordinate;
-    let (mut low, mut high) = (Float::new(equation.prec), Float::with_val(equation.prec, 1));
-    let mut theta = Float::with_val(equation.prec, 0.5);
-    let mut best = (Ball::whole_line(equation.prec), Ball::whole_line(equation.prec));
-    for _ in 0..ITERATIONS {
-        let part = Ball::exact(theta.clone());
-        let z = arc.coordinate(equation, &part);
-        let speed = arc.velocity(&part).abs();
-        let balance = equation.balance(&z, &speed);
-        best = (z.clone(), speed.clone());
-        if balance.contains_zero() {
-            break;
+/// A place in `0..=1` where a function that falls from above 0 to below is 0 within its radius.
+///
+/// Regula falsi, in which an end that stays twice counts half (Illinois): three evaluations triple the digits of the place.
+fn crossing(bits: u32, mut value: impl FnMut(&Float) -> Ball) -> Float {
+    let mut ends = [0, 1].map(|place| Float::with_val(bits, place));
+    let mut values = ends.each_ref().map(|place| value(place).mid().clone());
+    let mut last = None;
+    for _ in 0..EVALUATIONS {
+        let part = Float::with_val(bits, &values[0] - &values[1]);
+        let part = Float::with_val(bits, &values[0] / part);
+        let next = Float::with_val(bits, &ends[1] - &ends[0]) * part + &ends[0];
+        let found = value(&next);
+        if found.contains_zero() || ends.contains(&next) {
+            return next;
         }
-        if balance.is_positive() {
-            low.clone_from(&theta)
-        } else {
-            high.clone_from(&theta)
+        let side = usize::from(found.is_negative());
+        if last == Some(side) {
+            values[1 - side] >>= 1;
         }
-        let power = c.force_power();
-        let one = BigRational::one();
-        let slope = equation.rational(&power) * z.pow(&(&power - &one))
-            + &equation.u * equation.rational(&c.q) * z.pow(&(&c.damping - &one)) * &balance / &speed;
-        let step = balance / (slope * arc.pace(equation, &z));
-        let next = Float::with_val(equation.prec, &theta - step.mid());
-        let bracketed = step.is_finite() && next > low && next < high;
-        let next = if bracketed { next } else { Float::with_val(equation.prec, &low + &high) / 2u32 };
-        if next == theta {
-            break;
-        }
-        theta = next;
+        ends[side] = next;
+        values[side] = found.mid().clone();
+        last = Some(side);
     }
-    best
+    let [low, _] = ends;
+    low
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use restitution_law::ForceLaw;
+
+    /// The zero is met to the last bits, in as many evaluations as the rule takes: a wrong step would need more.
+    #[test]
+    fn a_crossing_is_found_in_few_evaluations() {
+        let search = |bits: u32, value: &dyn Fn(&Ball) -> Ball| {
+            let mut places = Vec::new();
+            let found = crossing(bits, |place| {
+                places.push(place.clone());
+                value(&Ball::exact(place.clone()))
+            });
+            (found, places)
+        };
+        let ratio = |n: i64, d: i64| Ball::from_ratio(n, d, 1000);
+        assert_eq!((rough(101), rough(3000)), (66, 1516));
+        // A line at once; then by the rule, in fractions: 1/3 - x^2 at 1/3, 1/2 (an end that stays counts half), 3/5.
+        let (found, places) = search(100, &|x| ratio(1, 4) - x);
+        assert_eq!((found, places.len()), (Float::with_val(100, 0.25), 3));
+        let (found, places) = search(1000, &|x| ratio(1, 3) - x * x);
+        let near = |found: &Float, n: u32, d: u32| {
+            (Float::with_val(1000, found * d) - n).abs() < Float::with_val(1000, Float::i_exp(1, -900))
+        };
+        assert!(near(&places[2], 1, 3) && near(&places[3], 1, 2) && near(&places[4], 3, 5), "{places:?}");
+        assert!((found.square() * 3u32 - 1u32).abs() < Float::with_val(1000, Float::i_exp(1, -996)));
+        assert_eq!(places.len(), 19);
+        // From the other side, and a zero that is nearly a double one at an end.
+        let (found, places) = search(300, &|x| {
+            let y = ratio(1, 1) - x;
+            &y * &y * &y - ratio(1, 1 << 60)
+        });
+        assert!(near(&(1u32 - found), 1, 1 << 20));
+        assert_eq!(places.len(), 55);
+        // Where the values never contain 0 the search ends at the last bit.
+        let step = |x: &Ball| if *x.mid() < 0.3 { ratio(1, 1) } else { ratio(-1, 1) };
+        let (found, places) = search(30, &step);
+        assert!((found.to_f64() - 0.3).abs() < 1e-8);
+        assert_eq!(places.len(), 38);
+        // A value that is not known is no sign.
+        let (found, places) = search(30, &|_| Ball::whole_line(30));
+        assert!(places.len() == 3, "{found} {places:?}");
+    }
 
     /// Spheres, `q = 2`, `A = 5`, `A - B = 2`, at `u = 1/2`: near contact the force vanishes at `w = 2 z^2`.
     #[test]

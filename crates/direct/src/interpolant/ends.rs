@@ -116,19 +116,25 @@ impl Motion {
     }
 }
 
+/// The place between 0 and `2^bits` where a condition begins to hold, to half of the part `2^-HALVINGS`.
+fn halved(bits: u32, holds: impl Fn(&Integer) -> bool) -> Integer {
+    let mut half = Integer::from(1) << (bits - 1);
+    let mut middle = half.clone();
+    for _ in 0..HALVINGS {
+        half >>= 1;
+        if holds(&middle) { middle -= &half } else { middle += &half }
+    }
+    middle
+}
+
 /// The zero in `theta` of a polynomial that falls from above to below 0, as a jet, approximately.
 fn root(events: &Jets) -> Option<Vec<Integer>> {
     let bits = events.bits;
     let column: Vec<Integer> = (0..events.rows()).map(|k| events.row(k)[0].clone()).collect();
     let column = Jets { width: 1, bits, coefficients: column };
     let constant = |value: &Integer| Jets::constant(std::slice::from_ref(value), bits);
-    let (mut low, mut high) = (Integer::new(), Integer::from(1) << bits);
-    for _ in 0..HALVINGS {
-        let middle = Integer::from(&low + &high) >> 1;
-        if column.at(&constant(&middle)).0.row(0)[0].is_negative() { high = middle } else { low = middle }
-    }
     let mut theta = vec![Integer::new(); events.width];
-    theta[0] = (low + high) >> 1;
+    theta[0] = halved(bits, |middle| column.at(&constant(middle)).0.row(0)[0].is_negative());
     let derivative = events.derivative();
     for _ in 0..NEWTON_STEPS {
         let place = Jets::constant(&theta, bits);

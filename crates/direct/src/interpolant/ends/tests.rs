@@ -47,6 +47,15 @@ fn leg(energy: f64, balance: &[[f64; 3]], coordinate: &[[f64; 3]]) -> Leg {
     Leg { course, reached, energy: bound(energy), pace: jets(&[[1.0, 0.1, 0.0]]), paces: range(0.875, 1.25) }
 }
 
+#[test]
+fn a_place_is_halved_to_its_share() {
+    for place in [0.0, 0.3, 0.7, 0.99999, 1.0] {
+        let place = Integer::from_f64(f64::floor(place * f64::exp2(40.0))).unwrap();
+        let found = halved(40, |middle| *middle >= place);
+        assert!((found - &place).abs() <= 1 << 23, "{place}");
+    }
+}
+
 const FALLING: [[f64; 3]; 2] = [[1.0, 0.01, 0.0], [-1.125, 0.02, 0.005]];
 
 fn near(found: &Ball, wanted: f64) {
