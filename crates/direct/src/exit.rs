@@ -125,6 +125,13 @@ mod tests {
     use super::*;
     use crate::fixed::BOUND_BITS;
 
+    /// `z^A = 2^-(prec + 2)`, in spheres with `A = 5`.
+    #[test]
+    fn the_elastic_energy_settles_below_the_working_precision() {
+        let equation = Equation::new(&"3/2,1/2".parse().unwrap(), &Ball::from_ratio(1, 2, 78), 78);
+        assert_eq!(settled(&equation).to_f64(), f64::exp2(-16.0));
+    }
+
     /// `P = c - q u z - (q/(A c)) z^A` where the iteration for `c` has not settled: what is missed counts, in `v^2`.
     #[test]
     fn the_first_order_way_to_zero_counts_what_it_misses() {

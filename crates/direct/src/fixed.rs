@@ -92,7 +92,7 @@ pub(crate) fn shifted(x: &Float, shift: i64) -> Float {
 }
 
 fn to_i32(n: i64) -> i32 {
-    i32::try_from(n).unwrap_or(if n < 0 { i32::MIN } else { i32::MAX })
+    n.clamp(i32::MIN.into(), i32::MAX.into()) as i32
 }
 
 #[cfg(test)]

@@ -144,6 +144,6 @@ mod tests {
         assert!(other < found);
         let velocities = [ratio(3, 1), ratio(4, 1), ratio(1, 1), ratio(3, 1)];
         let table = spheres.table_error(&velocities, 3, damping, || ()).unwrap().unwrap();
-        assert!((table - found - 0.001 - f64::EPSILON).abs() < 1e-15, "{table} {found}");
+        assert!((table - found - 0.001 - f64::EPSILON).abs() < 1e-16, "{table} {found}");
     }
 }

@@ -77,7 +77,7 @@ impl Online {
             Some(block) => {
                 let (in_x, in_y) = (&x[block.first..k], &y[block.first..k]);
                 let (to_x, to_y) = (&x[..block.width()], &y[..block.width()]);
-                let (one, other) = if block.next - block.first < LONG {
+                let (one, other) = if !block.is_long() {
                     (self.contribution(&block, in_x, to_y, 0), self.contribution(&block, in_y, to_x, 0))
                 } else {
                     let online = &*self;
@@ -145,22 +145,25 @@ impl Online {
     /// The coefficients of `2^shift x y` between a block and its end, with what may be lost cut off `y`.
     fn contribution(&self, block: &Block, x: &[Integer], y: &[Integer], shift: u32) -> Vec<Integer> {
         let (from, count) = (block.next - block.first, block.end - block.next);
-        let lost = self.rounding.map_or(0, |bits| {
-            let terms = x.len().ilog2() as usize + 1;
-            u32::try_from((bits as usize).saturating_sub(largest(x) + terms + 8)).unwrap_or(0)
-        });
-        let mut parts = if lost < LEAST_CUT {
+        let lost = self.rounding.map_or(0, |bits| spare(bits, largest(x), x.len()));
+        let mut parts = if lost == 0 {
             middle_product(x, y, from, count)
         } else {
             let cut: Vec<Integer> = y.iter().map(|c| Integer::from(c >> lost)).collect();
             middle_product(x, &cut, from, count)
         };
-        let shift = if lost < LEAST_CUT { shift } else { shift + lost };
         for part in &mut parts {
-            *part <<= shift;
+            *part <<= shift + lost;
         }
         parts
     }
+}
+
+/// How many bits the other factor of some terms of `size` bits may lose where a sum may be off by `2^bits`; 0 if it isn't worth it.
+fn spare(bits: u32, size: usize, terms: usize) -> u32 {
+    let needed = size + terms.ilog2() as usize + 9;
+    let spare = u32::try_from((bits as usize).saturating_sub(needed)).unwrap_or(0);
+    if spare < LEAST_CUT { 0 } else { spare }
 }
 
 /// Coefficients `first…next-1`, whose products belong to the coefficients `next…end-1`.
@@ -171,6 +174,10 @@ struct Block {
 }
 
 impl Block {
+    fn is_long(&self) -> bool {
+        self.next - self.first >= LONG
+    }
+
     /// How many coefficients of the other factor reach the block's targets.
     fn width(&self) -> usize {
         self.end - self.first
@@ -179,12 +186,15 @@ impl Block {
 
 /// The coefficients `from…from+count-1` of `x y`, by one product of two integers.
 fn middle_product(x: &[Integer], y: &[Integer], from: usize, count: usize) -> Vec<Integer> {
-    let terms = x.len().min(y.len());
-    let bits = largest(x) + largest(y) + terms.ilog2() as usize + 2;
-    let slot = bits.div_ceil(DIGIT);
+    let slot = slot(largest(x), largest(y), x.len().min(y.len()));
     let packed = pack(x, slot);
     let product = if std::ptr::eq(x, y) { packed.square() } else { packed * pack(y, slot) };
     unpack(product, slot, x.len() + y.len() - 1, from, count)
+}
+
+/// Digits that hold a sum of products of numbers of so many bits, with its sign.
+fn slot(in_x: usize, in_y: usize, terms: usize) -> usize {
+    (in_x + in_y + terms.ilog2() as usize + 2).div_ceil(DIGIT)
 }
 
 fn largest(x: &[Integer]) -> usize {
@@ -226,6 +236,17 @@ fn unpack(packed: Integer, slot: usize, terms: usize, from: usize, count: usize)
 mod tests {
     use super::*;
     use rug::ops::Pow;
+
+    #[test]
+    fn what_is_chosen_for_a_product() {
+        let is_long = |first: usize, next: usize| Block { first, next, end: 2 * next }.is_long();
+        assert!(!is_long(0, 127) && is_long(0, 128) && !is_long(128, 255) && is_long(128, 256));
+        // 300 - 200 - 5 - 9 bits; less than 64 are not worth it.
+        assert_eq!([300, 278, 277, 100].map(|bits| spare(bits, 200, 63)), [86, 64, 0, 0]);
+        assert_eq!([(60, 61, 63), (60, 61, 64), (3, 2, 1)].map(|(x, y, n)| slot(x, y, n)), [2, 3, 1]);
+        let two_and_three = [2, -3].map(Integer::from);
+        assert_eq!(pack(&two_and_three, 1), 2 - (Integer::from(3) << 64));
+    }
 
     /// Integers of both signs and many sizes.
     fn series(n: usize, seed: u64) -> Vec<Integer> {

@@ -140,7 +140,8 @@ impl PhaseArc {
 /// A chord that changes its sign has a negative one from below, however far beyond zero it ends.
 fn extremes(coefficients: &[Integer], bits: u32) -> (Ball, Ball) {
     let start = coefficients[0].clone().abs();
-    let end = Integer::from(&coefficients[0] + &coefficients[1]) * coefficients[0].cmp0() as i32;
+    let end = Integer::from(&coefficients[0] + &coefficients[1]);
+    let end = if coefficients[0].is_negative() { -end } else { end };
     let bend = size(&coefficients[2..], bits);
     let ball = |n: &Integer| from_fixed(n, bits, BOUND_BITS);
     let fastest = ball(&start).union(&ball(&end)).abs_up();
@@ -230,6 +231,17 @@ mod tests {
             !velocity_near(&Ball::from_f64(1.0, 64).widened(&Float::with_val(64, 1)), &energy(0.0))
                 .is_finite()
         );
+    }
+
+    /// Its rounding is far below what the arc leaves over.
+    #[test]
+    fn a_velocity_on_an_arc_has_the_error_of_the_arc() {
+        let equation = Equation::new(&ForceLaw::viscoelastic_spheres(), &Ball::from_ratio(1, 2, 80), 80);
+        let from = PhasePoint { z: Float::with_val(80, 0.25), v: Float::with_val(80, -1), energy: zero() };
+        let arc = PhaseArc::follow(&equation, &from, &Float::with_val(80, 0.2)).unwrap();
+        let velocity = arc.velocity(&Ball::from_ratio(1, 2, 80), 80);
+        let wanted = arc.energy.to_f64() / velocity.to_f64().abs();
+        assert!((velocity.rad().to_f64() / wanted - 1.0).abs() < 0.001, "{velocity:?} {wanted:e}");
     }
 
     #[test]

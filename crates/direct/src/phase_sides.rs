@@ -53,10 +53,7 @@ impl Sides {
             let part = size(&coefficients[first..], bits) * size(&self.damping[j..=j], bits);
             sum += part;
         }
-        if self.elastic.len() > order {
-            sum += size(&self.elastic[order..], bits);
-        }
-        sum
+        sum + size(self.elastic.get(order..).unwrap_or_default(), bits)
     }
 
     /// `exp(-Int 2 h q u z^(B-1)/(|v| + |P|))`, an upper bound of how much the error's energy keeps.
@@ -142,4 +139,36 @@ fn exponential(rate: &Ball, order: usize) -> Option<Terms> {
     let ratio = rate.abs() / Ball::from_integer(i64::try_from(order + 1).ok()?, BOUND_BITS);
     let left = lower_bound(&(Ball::from_integer(1, BOUND_BITS) - upper_bound(&ratio)));
     left.is_positive().then(|| Terms { terms, tail: upper_bound(&(upper_bound(&term.abs()) / left)) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Degrees 2 and more of `damping * P` and of `elastic`, for a `P` of degree 2.
+    #[test]
+    fn what_is_beyond_the_order_is_summed() {
+        let numbers = |c: &[i32]| -> Vec<Integer> { c.iter().copied().map(Integer::from).collect() };
+        let overflow = |elastic: &[i32]| {
+            let (elastic, damping) = (numbers(elastic), numbers(&[3, -5]));
+            let sides =
+                Sides { elastic, damping, elastic_error: zero(), damping_error: zero(), friction: zero() };
+            sides.overflow(&numbers(&[7, -11, 13]), 0).to_f64()
+        };
+        let damped = f64::from(3 * 13 + 5 * (11 + 13));
+        assert_eq!(overflow(&[1, 2]), damped);
+        assert_eq!(overflow(&[1]), damped);
+        assert_eq!(overflow(&[1, 2, -4, 8]), damped + 12.0);
+    }
+
+    /// `1/3!`, over one less the ratio 1/4 of the terms.
+    #[test]
+    fn the_tail_of_an_exponential_is_that_of_a_geometric_series() {
+        let found = exponential(&Ball::from_integer(1, 80), 3).unwrap();
+        assert_eq!(found.terms.iter().map(Ball::to_f64).collect::<Vec<_>>(), [1.0, 1.0, 0.5]);
+        let tail = found.tail.to_f64();
+        assert!((tail / (1.0 / 6.0 / 0.75) - 1.0).abs() < 1e-15, "{tail}");
+        assert!(exponential(&Ball::from_f64(3.99, 80), 3).is_some());
+        assert!(exponential(&Ball::from_integer(4, 80), 3).is_none());
+    }
 }

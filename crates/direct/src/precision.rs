@@ -44,6 +44,11 @@ mod tests {
     use rug::ops::Pow;
 
     #[test]
+    fn ten_bits_hold_three_digits() {
+        assert_eq!([0, 3, 20, 1000].map(first_precision), [44, 54, 110, 3377]);
+    }
+
+    #[test]
     fn a_speed_that_no_precision_tells_from_rest_is_given_up() {
         let mut tried = Vec::new();
         let found = proved(10, 80, |prec| {

@@ -57,7 +57,7 @@ impl Saturation {
         }
         let point = funnel(&equation, &start)?;
         let mut stepper = Stepper::new(equation.wanted_slope());
-        stepper.start_with((0.2 * start.to_f64()).min(0.25));
+        stepper.start_with(0.25);
         let exit_speed = to_zero_compression(&equation, &mut stepper, point)?;
         Ok(Self {
             exit_speed,
@@ -224,6 +224,16 @@ mod tests {
         for narrow in [7.999, 4.0, 1.0] {
             assert!(of(narrow).is_err(), "{narrow}");
         }
+    }
+
+    #[test]
+    fn the_slow_manifold_is_followed_from_where_the_contraction_exceeds_the_precision() {
+        // Spheres: 2B - A = 1, q = 2; k = 1/z up to 1/16 at few bits, 1.12 ln 2 prec + 4 ln prec over 2 at many.
+        let far =
+            |prec: u32| far_coordinate(&Equation::new(&law("3/2,1/2"), &Ball::from_integer(1, prec), prec));
+        assert_eq!(far(4), 16);
+        let many: f64 = (1.12 * std::f64::consts::LN_2 * 300.0 + 4.0 * 300_f64.ln()) / 2.0;
+        assert_eq!(far(300).to_f64(), many.ceil());
     }
 
     /// The impact speed of Prop. 6: the curve of zero force is met from `z_2` on, friction alone takes what is more.

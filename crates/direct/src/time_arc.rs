@@ -79,7 +79,7 @@ impl<'a> TimeArc<'a> {
         let end = self.end();
         let bits = self.equation.prec;
         let (z, v) = (from_fixed(&end.z, bits, bits + 32), from_fixed(&end.v, bits, bits + 32));
-        let reached = if self.series.v[0] > 0 && end.v < 0 {
+        let reached = if self.series.v[0].is_positive() && end.v.is_negative() {
             self.turn(from, &defect, &z, &v)?
         } else {
             PhasePoint { z: z.mid().clone(), v: v.mid().clone(), energy: self.along(from, &defect)? }
@@ -204,10 +204,15 @@ fn rounded(point: PhasePoint, bits: u32) -> PhasePoint {
     PhasePoint { z: point.z, v, energy: upper_bound(&(point.energy + upper_bound(&moved))) }
 }
 
+/// The number of coefficients up to the last one of at least `2^-48`; the first one always.
+fn head(coefficients: &[Integer], bits: u32) -> usize {
+    let least = bits.saturating_sub(48);
+    coefficients.iter().rposition(|c| c.significant_bits() >= least).map_or(1, |last| last + 1)
+}
+
 /// Enclosures of a polynomial on the parts of `0 <= theta <= 1`.
 fn ranges(coefficients: &[Integer], bits: u32) -> Vec<Ball> {
-    let small = |c: &Integer| c.significant_bits() + 48 < bits;
-    let head = coefficients.iter().rposition(|c| !small(c)).map_or(1, |last| last + 1);
+    let head = head(coefficients, bits);
     let tail = size(&coefficients[head..], bits).upper();
     let balls: Vec<Ball> = coefficients[..head].iter().map(|c| from_fixed(c, bits, BOUND_BITS)).collect();
     (0..PARTS)

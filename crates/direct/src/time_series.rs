@@ -146,3 +146,18 @@ fn complete(inner: Integer, x: &[Integer], y: &[Integer], k: usize) -> Integer {
     let first = inner + &x[0] * &y[k];
     if k == 0 { first } else { first + &x[k] * &y[0] }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_low_powers_are_multiplied_out() {
+        for (law, is) in
+            [("3/2,1/2", true), ("2,1", true), ("3/2,1", false), ("3,1/2", false), ("7/3,5/6", false)]
+        {
+            let equation = Equation::new(&law.parse().unwrap(), &Ball::from_integer(1, 64), 64);
+            assert_eq!(TimeChart::of(&equation).is_some(), is, "{law}");
+        }
+    }
+}

@@ -34,8 +34,7 @@ pub(crate) fn enter(equation: &Equation, point: &PhasePoint) -> Option<TurningPo
     let around = y.with_prec(BOUND_BITS).widened(&spread.upper());
     let force = Ball::one() + (&speed + &off) * friction_ratio(equation, &around);
     let energy = upper_bound(&(&spread * upper_bound(&force)));
-    let proved = off.is_finite() && spread.is_finite();
-    proved.then(|| TurningPoint { v: point.v.clone(), y: y.mid().clone(), energy, spread })
+    spread.is_finite().then(|| TurningPoint { v: point.v.clone(), y: y.mid().clone(), energy, spread })
 }
 
 /// From slow compression through the turning point until the coordinate serves again.
@@ -53,11 +52,16 @@ fn turn(
             follow(equation, &point, &end).map(|s| ((s.reached, s.least_force), s.slope))
         })?;
         point = next;
-        let kinetic = Float::with_val(BOUND_BITS, point.v.square_ref()) / 2u32;
-        if point.v < 0 && (kinetic > point.y || least_force.mid() < &0.5) {
+        if serves_coordinate(&point, &least_force) {
             return Ok(point);
         }
     }
+}
+
+/// Whether the bodies part fast enough: more kinetic than potential energy, or half the force gone.
+fn serves_coordinate(point: &TurningPoint, least_force: &Ball) -> bool {
+    let kinetic = Float::with_val(BOUND_BITS, point.v.square_ref()) / 2u32;
+    point.v.is_sign_negative() && (kinetic > point.y || least_force.mid() < &0.5)
 }
 
 /// Passes from `y(v)` back to `v(z)` on the way out.
@@ -107,6 +111,17 @@ mod tests {
         assert!((0.013_104..0.0132).contains(&energy), "{energy}");
         let unknown = PhasePoint { energy: Ball::whole_line(BOUND_BITS), ..point };
         assert!(enter(&equation(0.5), &unknown).is_none());
+    }
+
+    #[test]
+    fn the_coordinate_serves_again_where_bodies_part_fast_or_half_the_force_is_gone() {
+        let serves = |v: f64, y: f64, least_force: f64| {
+            let (energy, spread) = (Ball::from_f64(0.0, 64), Ball::from_f64(0.0, 64));
+            let point = TurningPoint { v: number(v), y: number(y), energy, spread };
+            serves_coordinate(&point, &Ball::from_f64(least_force, 64))
+        };
+        assert!(!serves(-2.0, 2.0, 0.5) && serves(-2.0, 1.99, 0.5) && serves(-2.0, 2.0, 0.49));
+        assert!(!serves(2.0, 1.0, 0.1) && !serves(-0.1, 1.0, 0.6));
     }
 
     #[test]

@@ -118,7 +118,7 @@ impl Step {
     /// A step of about this length; `None` if there is none.
     pub(crate) fn near(length: f64, q: f64) -> Option<Self> {
         let rate = q / length;
-        if !(rate.is_finite() && rate > 1e-6 && rate < 1e15) {
+        if !(1e-6..1e15).contains(&rate) {
             return None;
         }
         let shift = (6.0 - rate.log2().floor()).max(0.0) as u32;

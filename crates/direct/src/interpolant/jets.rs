@@ -33,7 +33,7 @@ impl Jets {
     pub(crate) fn product(&self, other: &Self) -> Self {
         let width = self.width + other.width - 1;
         let spread = |x: &Self| -> Vec<Integer> {
-            let mut out = vec![Integer::new(); (x.rows() - 1) * width + x.width];
+            let mut out = vec![Integer::new(); x.rows() * width];
             for k in 0..x.rows() {
                 out[k * width..k * width + x.width].clone_from_slice(x.row(k));
             }

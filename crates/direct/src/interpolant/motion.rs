@@ -105,8 +105,7 @@ impl Motion {
         let coordinate = flow.solve(&from.z, fixed.row(0), step);
         let slope = decay(&coordinate, &flow);
         let course = Course::measure(&flow, coordinate, step);
-        let allowed = crate::fixed::power_of_two(8 - i64::from(self.prec));
-        if !course.cut_off.is_finite() || (&course.cut_off - allowed).is_positive() {
+        if !is_little(&course.cut_off, self.prec) {
             return None;
         }
         let paces = pace.range();
@@ -319,6 +318,11 @@ impl Force {
 /// `|v| + K |y - Y|`; the latter is `pull`, and it is all there is at the turning point, where `v = 0`.
 fn slack(speed: &Range, pull: &Ball, missed: &Ball) -> Ball {
     upper_bound(&(((speed.largest() + missed).shifted(2) + pull) * missed))
+}
+
+/// Whether no more than `2^(8-bits)` is cut off.
+fn is_little(cut_off: &Ball, bits: u32) -> bool {
+    (crate::fixed::power_of_two(8 - i64::from(bits)) - cut_off).lower() >= 0
 }
 
 fn one() -> BigRational {

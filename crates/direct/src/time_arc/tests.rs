@@ -55,6 +55,12 @@ impl Hand {
     }
 }
 
+#[test]
+fn small_coefficients_at_the_end_are_taken_together() {
+    let of = |bits: &[u32]| head(&bits.iter().map(|b| (Integer::from(1) << *b) - 1).collect::<Vec<_>>(), 100);
+    assert_eq!([of(&[60, 51, 52, 51, 40]), of(&[90, 51]), of(&[1, 1, 1]), of(&[60, 60])], [3, 1, 1, 2]);
+}
+
 fn norm(c: &[Integer]) -> f64 {
     c.iter().map(|c| c.to_f64().abs()).sum::<f64>() * (-f64::from(BITS)).exp2()
 }

@@ -52,6 +52,14 @@ fn at(energy: f64) -> State {
 }
 
 #[test]
+fn little_may_be_cut_off() {
+    let part = f64::exp2(-52.0);
+    assert!([0.0, 0.5, 1.0].iter().all(|x| is_little(&Ball::from_f64(x * part, BOUND_BITS), 60)));
+    assert!([1.001, 2.0, 1e9].iter().all(|x| !is_little(&Ball::from_f64(x * part, BOUND_BITS), 60)));
+    assert!(!is_little(&Ball::whole_line(BOUND_BITS), 60));
+}
+
+#[test]
 fn the_energy_by_speed_shrinks_but_for_the_defect() {
     let motion = motion("3/2,1/2");
     for signs in [1.0, -1.0] {
