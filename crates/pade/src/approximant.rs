@@ -268,3 +268,6 @@ fn contact<F: OrderedField>(series: &[F::Number], function: &RationalFunction<F>
     }
     Contact::AtLeast(series.len())
 }
+
+#[cfg(test)]
+mod tests;

@@ -169,3 +169,6 @@ impl<N: Clone> Pair<N> {
         Self { polynomial, series }
     }
 }
+
+#[cfg(test)]
+mod tests;

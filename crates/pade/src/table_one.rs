@@ -63,3 +63,6 @@ pub fn table_one<F: OrderedField>(
         ZeroTest::NonZero => RationalFunction::new(field, vec![d0.clone(), d1], vec![d0, d2, d3, d4, d5]),
     }
 }
+
+#[cfg(test)]
+mod tests;

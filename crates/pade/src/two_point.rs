@@ -108,3 +108,6 @@ pub fn two_point<F: OrderedField>(
     }
     solve(field, series, asked, infinity)
 }
+
+#[cfg(test)]
+mod tests;
