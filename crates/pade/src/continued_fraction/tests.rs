@@ -61,3 +61,21 @@ fn balls_keep_exact_zeros_and_contain_the_links() {
         }
     }
 }
+
+/// `c/(1 - x + x^2) = c + c x + 0 x^2 + ...`: the end is seen by the zero of the series, which is exact,
+/// where the polynomials have only a difference of balls.
+#[test]
+fn an_exact_zero_of_the_series_ends_the_fraction() {
+    let (field, c) = (Balls::new(100), ratio(-2, 7));
+    for asked in [PadeType::new(0, 2), PadeType::new(1, 1)] {
+        let series = [c.clone(), c.clone(), ratio(0, 1)];
+        let balls = series.each_ref().map(|c| field.rational(c));
+        let exact = approximant(&Rationals, &series, asked).unwrap().continued_fraction().unwrap();
+        let near = approximant(&field, &balls, asked).unwrap().continued_fraction().unwrap();
+        assert_eq!(near.links.len(), exact.links.len(), "{asked}");
+        for (ball, link) in near.links.iter().zip(&exact.links) {
+            assert_eq!(ball.power, link.power, "{asked}");
+            assert!(ball.coefficient.contains_rational(&link.coefficient), "{asked}");
+        }
+    }
+}
