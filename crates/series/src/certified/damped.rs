@@ -120,7 +120,7 @@ impl Motion {
         let [elastic, damping] = scale.powers();
         let mut force = Power::new(&products, elastic, force, &reciprocal);
         let mut friction = friction.map(|zeroth| Power::new(&products, damping, zeroth, &reciprocal));
-        let mut x = Base::new(size, orders + 1);
+        let mut x = Base::new(size, products.rows);
         x.push(shop, &f);
         let mut found = vec![f];
         for n in 1..=orders {
@@ -209,5 +209,28 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Rows of the trajectory and of the power that is the source of the next are measured; the widest decides.
+    #[test]
+    fn no_row_has_more_bits_than_the_limit() {
+        let mut widest_are_powers = [false; 2];
+        for (law, lambda) in
+            [("3/2,1/2", 1.0), ("3/2,1/2", 0.25), ("2,1/3", 0.8), ("2,1/3", 8.0), ("7/3,5/6", 6.0)]
+        {
+            let law: ForceLaw = law.parse().unwrap();
+            let (scale, shop) = (Scale::new(&law, lambda, 192), Workshop::new(192, 40, (2, 1)));
+            let of = |limit| Motion::derive(&shop, &scale, 4, 128, limit, &mut |_| ());
+            let motion = of(u32::MAX).unwrap();
+            let most = |rows: &[Fixed]| rows.iter().map(Fixed::bits).max().unwrap();
+            let source = if motion.friction.is_empty() { &motion.force } else { &motion.friction };
+            let (f, power) = (most(&motion.f), most(&source[..4]));
+            let start = Undamped::solve(&shop, &scale, 128);
+            let limit = f.max(power).max(most(&[start.force, start.reciprocal]));
+            assert!(of(limit).is_some(), "{law} {lambda}");
+            assert!(of(limit - 1).is_none(), "{law} {lambda}");
+            widest_are_powers[usize::from(power > f)] = true;
+        }
+        assert_eq!(widest_are_powers, [true; 2]);
     }
 }

@@ -89,3 +89,18 @@ pub(crate) fn compose(shop: &Workshop, outer: &[Integer], inner: &Fixed, len: us
     }
     sum
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_has_as_many_terms_as_asked_for() {
+        let shop = Workshop::new(128, 40, (2, 1));
+        for len in 1..6 {
+            let one = one_padded(&shop, len);
+            let expected = (0..len).map(|k| Integer::from(i32::from(k == 0)) << 128).collect::<Vec<_>>();
+            assert_eq!((0..one.len()).map(|k| one.integer(k)).collect::<Vec<_>>(), expected);
+        }
+    }
+}

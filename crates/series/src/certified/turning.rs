@@ -147,7 +147,7 @@ impl Neighbourhood {
                 .map(|i| {
                     let l = i + derivative;
                     let falling = (0..derivative).map(|k| (l - k) as i64).product();
-                    (falling, transform(&self.column(l, needed.min(self.rows.len() - l), shop.width())))
+                    (falling, transform(&self.column(l, needed, shop.width())))
                 })
                 .collect();
             let terms: Vec<_> = columns.iter().zip(&powers).map(|((w, c), p)| (*w, c, p)).collect();
@@ -199,4 +199,38 @@ fn row(
         row.push(-(sum / (rd * rd)) / (damping * denominator) / steps);
     }
     row
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// At `theta = t` the coefficient of `v^m` of the `d`-th derivative is that of `P_(m+d)` at `t`.
+    #[test]
+    fn derivatives_are_those_of_the_polynomials() {
+        let bits = 128;
+        let shop = Workshop::new(bits, 40, (2, 1));
+        let p = |k: usize, l: usize| (7 * k * k + 5 * l + 3 * k * l) as i64 % 11 - 5;
+        for orders in [3, 8, 12, 17] {
+            let row = |k| -> Vec<Integer> { (0..=k).map(|l| Integer::from(p(k, l)) << bits).collect() };
+            let rows = (0..orders).map(|k| Fixed::from_integers(&row(k), shop.width())).collect();
+            let neighbourhood = Neighbourhood { rows };
+            for (derivative, t) in [(0, 1), (1, 1), (2, 1), (0, -2), (1, -2), (2, -2)] {
+                for len in [1, 2, orders - 2, orders] {
+                    let shift = [Integer::new(), Integer::from(t) << bits];
+                    let shift = Fixed::from_integers(&shift[..len.min(2)], shop.width());
+                    let found = neighbourhood.derivative_at(&shop, &shift, derivative, len);
+                    assert_eq!(found.len(), len);
+                    for m in 0..len {
+                        let k = m + derivative;
+                        let falling = |l: usize| (0..derivative).map(|i| (l - i) as i64).product::<i64>();
+                        let term = |l: usize| falling(l) * p(k, l) * i64::pow(t, (l - derivative) as u32);
+                        let value = if k < orders { (derivative..=k).map(term).sum() } else { 0 };
+                        let off = (found.integer(m) - (Integer::from(value) << bits)).abs();
+                        assert!(off < 1 << 30, "{orders} {derivative} {t} {len} {m}");
+                    }
+                }
+            }
+        }
+    }
 }

@@ -94,3 +94,23 @@ pub(crate) fn log_singular_ratio(law: &ForceLaw) -> f64 {
     let distance = if cosine > 0.5 { -cosine.log2() } else { 1.0 };
     step * distance
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fractions_are_short_and_near() {
+        for exponent in -34..=34 {
+            for value in [1.0, 1.37, 1.5, 1.99].map(|x| x * 2f64.powi(exponent)) {
+                let (numerator, denominator) = short_fraction(value);
+                let off = numerator as f64 / denominator as f64 / value - 1.0;
+                assert!(off.abs() <= 1.0 / 64.0, "{value}: {numerator}/{denominator}");
+                assert!(numerator >> numerator.trailing_zeros() <= 64, "{value}: {numerator}/{denominator}");
+            }
+        }
+        // Nothing overflows where a fraction cannot be near.
+        assert_eq!(short_fraction(1e-30), (1, 1 << 45));
+        assert!(short_fraction(1e18).0 > 1 << 59);
+    }
+}
