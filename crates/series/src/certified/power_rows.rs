@@ -93,3 +93,28 @@ impl PowerRows {
         Some(lower)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rug::Integer;
+
+    /// `X = 1 + w` to the power 1, in steps of `1/10^18`: the defect of its first order weighs two products by
+    /// `10^18`, for which no lower order makes room, and is what `P_1` is off by.
+    #[test]
+    fn defects_have_room_for_large_weights() {
+        let (steps, size) = (1_000_000_000_000_000_000, 8);
+        for (bits, off) in (128..256).step_by(8).zip([0, 1, -3].into_iter().cycle()) {
+            let shop = Workshop::new(bits, 80, (2, 1));
+            let row = |value: i64| Fixed::from_integers(&[Integer::from(value) << bits], shop.width());
+            let (mut x, mut power) = (Base::new(size, 2), PowerRows::new(steps, steps, size, 2));
+            x.push(&shop, &row(1));
+            x.push(&shop, &row(1));
+            power.push(&shop, &row(1));
+            let lower = power.lower(&shop, &x);
+            power.push(&shop, &row(1 + off));
+            let defect = shop.settle(power.defect(&shop, &x, lower).unwrap(), 1, bits);
+            assert_eq!(defect.integer(0), -(Integer::from(steps * off) << bits));
+        }
+    }
+}

@@ -91,8 +91,7 @@ pub(crate) fn fixed(x: &Ball, bits: u32) -> Integer {
 pub(crate) fn log_singular_ratio(law: &ForceLaw) -> f64 {
     let step = law.elastic_step().to_f64().unwrap_or(f64::MAX);
     let cosine = (std::f64::consts::PI / step).cos();
-    let distance = if cosine > 0.5 { -cosine.log2() } else { 1.0 };
-    step * distance
+    -step * cosine.max(0.5).log2()
 }
 
 #[cfg(test)]
