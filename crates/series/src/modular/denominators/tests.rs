@@ -86,6 +86,34 @@ fn weights_are_the_exponents_of_the_inverse() {
     }
 }
 
+/// For primes that divide the unit the coefficients of the velocity, `psi_k = C(2k,k)/(2^k (2k - 1)) (unit/elastic)^k` in
+/// `x' = 1 - sum_k psi_k x^((a+1) k)`, may be worse than those of the time, which there count by `unit phi_k` and one part more.
+#[test]
+fn weights_count_the_velocity_where_a_prime_divides_the_unit() {
+    for (law, prime) in
+        [("3/2,1/2", 2u64), ("4/3,1/3", 3), ("6/5,1/5", 5), ("10/9,1/9", 3), ("8/7,1/7", 7), ("5/4,1/4", 2)]
+    {
+        let law: ForceLaw = law.parse().unwrap();
+        let lattice = law.lattice();
+        let local = Local::new(lattice, prime, 2, 60);
+        let fraction = |p: i64, q: i64| num_rational::BigRational::new(p.into(), q.into());
+        let part = |x: &num_bigint::BigInt| i64::from(rug_integer(x).remove_factor(&Integer::from(prime)).1);
+        let exponent = |x: &num_rational::BigRational| part(x.denom()) - part(x.numer());
+        let mut coefficient = fraction(1, 1);
+        for k in 1..60i64 {
+            coefficient *= fraction((2 * k - 1) * lattice.unit, k * lattice.elastic);
+            let time = exponent(&(&coefficient / fraction(lattice.unit + lattice.elastic * k, 1)));
+            let velocity = exponent(&(&coefficient / fraction(2 * k - 1, 1)));
+            let scale = local.scale as i64;
+            assert_eq!(
+                local.weight(k as usize),
+                (scale * time + 1).max(scale * velocity),
+                "{law} {prime} {k}"
+            );
+        }
+    }
+}
+
 #[test]
 fn primes_are_those_of_a_sieve() {
     for (law, order, terms) in
