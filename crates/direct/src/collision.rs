@@ -194,10 +194,15 @@ impl Collision {
         zero_compression.then(|| Dashpot::of(&self.law, u)).flatten().filter(Dashpot::is_nearly_critical)
     }
 
+    /// Whether contact is proved never to end: by zero compression alone, and before any motion is followed.
+    pub(crate) fn is_without_rebound(&self, equation: &Equation) -> bool {
+        self.end == End::ZeroCompression && never_leaves(equation)
+    }
+
     /// Follows the whole motion.
     fn integrate(&self, u: &Ball, prec: u32) -> Result<Ball, DirectError> {
         let equation = Equation::new(&self.law, u, prec);
-        if self.end == End::ZeroCompression && never_leaves(&equation) {
+        if self.is_without_rebound(&equation) {
             return Err(equation.overdamped());
         }
         let mut stepper = Stepper::new(equation.wanted_slope());

@@ -55,18 +55,14 @@ impl Collision {
     ) -> Result<f64, DirectError> {
         let epsilon = |g: &BigRational| self.epsilon_at(&damping(g)?, DIGITS);
         let (first, last) = (epsilon(from)?, epsilon(to)?);
-        let mut largest = Float::new(BITS);
-        for quarter in 1..4 {
+        let off = |quarter: i64| {
             let share = BigRational::new(quarter.into(), 4.into());
             let between = from + (to - from) * &share;
             let chord = &first + (&last - &first) * Ball::from_rational(&share, BITS);
-            // Not with Float::max, which rounds what it takes from the other.
-            let off = (epsilon(&between)? - chord).abs().upper();
-            if off > largest {
-                largest = off;
-            }
-        }
-        let bound = Ball::exact(largest) * Ball::from_rational(&BigRational::new(4.into(), 3.into()), BITS);
+            Ok::<_, DirectError>((epsilon(&between)? - chord).abs().upper())
+        };
+        let bound = Ball::exact(largest([off(1)?, off(2)?, off(3)?]))
+            * Ball::from_rational(&BigRational::new(4.into(), 3.into()), BITS);
         Ok(bound.upper().to_f64_round(rug::float::Round::Up))
     }
 
@@ -120,10 +116,26 @@ impl Collision {
     }
 }
 
+/// The largest of three numbers, all its bits: `Float::max` rounds what it takes from the other.
+fn largest(numbers: [Float; 3]) -> Float {
+    let [first, second, third] = numbers;
+    let larger = |x: Float, y: Float| if y > x { y } else { x };
+    larger(larger(first, second), third)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::End;
+
+    #[test]
+    fn the_largest_number_is_not_rounded() {
+        let long = Float::with_val(200, 1) + Float::with_val(200, Float::i_exp(1, -150));
+        let short = |x: u32| Float::with_val(BITS, x);
+        assert_eq!(largest([short(1), short(0), long.clone()]), long);
+        assert_eq!(largest([short(1), long.clone(), short(0)]), long);
+        assert_eq!(largest([short(2), long, short(0)]), short(2));
+    }
 
     fn ratio(n: i64, d: i64) -> BigRational {
         BigRational::new(n.into(), d.into())

@@ -8,6 +8,7 @@ mod motion;
 
 use crate::collision::Collision;
 use crate::coordinate::Coordinate;
+use crate::equation::Equation;
 use crate::error::DirectError;
 use crate::fixed::{BOUND_BITS, from_fixed, upper_bound};
 use arc::Flow;
@@ -113,7 +114,7 @@ impl Collision {
     ///
     /// [`DirectError::Interval`] unless `0 <= from <= to`, the degree is at most 100 and `prec` from 40
     /// to 20000 bits; [`DirectError::NoInterpolant`] for laws whose motion has a branch point at zero
-    /// compression; [`DirectError::StepVanished`] or [`DirectError::Stiff`] if the interval is too wide, or reaches a damping for which
+    /// compression; [`DirectError::Overdamped`] if bodies with the damping `to` are proved never to leave; [`DirectError::StepVanished`] or [`DirectError::Stiff`] if the interval is too wide, or reaches a damping for which
     /// contact does not end, or down to 0 with the end at zero force.
     ///
     /// # Examples
@@ -149,6 +150,10 @@ impl Collision {
         if from.is_negative() || from > to || degree > LARGEST_DEGREE || !PRECISIONS.contains(&prec) {
             let interval = format!("[{from}, {to}] at degree {degree} and {prec} bits");
             return Err(DirectError::Interval { interval });
+        }
+        let fastest = Equation::new(self.law(), &Ball::from_rational(to, prec), prec);
+        if to.is_positive() && self.is_without_rebound(&fastest) {
+            return Err(fastest.overdamped());
         }
         let damping = Dampings::of(from, to, variable, (prec + GUARD_BITS).next_multiple_of(2));
         let motion = self.motion(&damping, degree + 1, prec)?;
@@ -281,6 +286,9 @@ mod tests {
         assert_eq!((piece.variable(), piece.coefficients().len()), (Variable::Root, 5));
         let at = |n: i64, d: i64| piece.enclose(&Ball::from_ratio(n, d, 80));
         assert!(at(19, 20).is_some() && at(9, 10).is_none_or(|e| e.is_finite()));
+        let exactly = Ball::from_f64(0.953125, 80);
+        let (found, known) = (piece.enclose(&exactly).unwrap(), spheres.enclose(&exactly, 80).unwrap());
+        assert!((found - known).contains_zero());
         assert!(at(88, 100).is_none() && at(102, 100).is_none() && at(0, 1).is_none());
         for wrong in [
             ask(ratio(-1, 10), ratio(1, 1), 4, 60),
@@ -291,5 +299,17 @@ mod tests {
             assert!(matches!(wrong, Err(DirectError::Interval { .. })));
         }
         assert!(ask(ratio(1, 1), ratio(1, 1), 0, 60).is_ok());
+        // A degree of 100 is not refused as such.
+        let none = Collision::new(&"997/1009,5/7".parse().unwrap(), End::ZeroCompression).unwrap();
+        let refusal = none.interpolant(&ratio(1, 1), &ratio(1, 1), Variable::Damping, 100, 60);
+        assert!(matches!(refusal, Err(DirectError::NoInterpolant { .. })));
+        // Beyond critical damping nothing leaves.
+        let dashpot = Collision::new(&"1,0".parse().unwrap(), End::ZeroCompression).unwrap();
+        let ask = |to: BigRational| dashpot.interpolant(&ratio(1, 1), &to, Variable::Damping, 4, 60);
+        assert!(matches!(ask(ratio(201, 100)), Err(DirectError::Overdamped { .. })));
+        let yielding = Collision::new(&"1,0".parse().unwrap(), End::ZeroForce).unwrap();
+        assert!(yielding.interpolant(&ratio(2, 1), &ratio(201, 100), Variable::Damping, 4, 60).is_ok());
+        assert!(dashpot.interpolant(&ratio(0, 1), &ratio(0, 1), Variable::Damping, 4, 60).is_ok());
+        assert!(ask(ratio(101, 100)).is_ok());
     }
 }
