@@ -240,6 +240,7 @@ mod tests {
         let from = PhasePoint { z: Float::with_val(80, 0.25), v: Float::with_val(80, -1), energy: zero() };
         let arc = PhaseArc::follow(&equation, &from, &Float::with_val(80, 0.2)).unwrap();
         let velocity = arc.velocity(&Ball::from_ratio(1, 2, 80), 80);
+        assert!(velocity.is_negative());
         let wanted = arc.energy.to_f64() / velocity.to_f64().abs();
         assert!((velocity.rad().to_f64() / wanted - 1.0).abs() < 0.001, "{velocity:?} {wanted:e}");
     }

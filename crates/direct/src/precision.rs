@@ -14,7 +14,7 @@ const FAINT_BITS: u32 = 512;
 
 /// The working precision with which to try `digits` digits first.
 pub(crate) fn first_precision(digits: usize) -> u32 {
-    u32::try_from(digits).unwrap_or(u32::MAX / 8).saturating_mul(10) / 3 + GUARD_BITS
+    u32::try_from(digits).unwrap_or(u32::MAX).saturating_mul(10) / 3 + GUARD_BITS
 }
 
 /// Raises the precision, from `first` bits on, until the digits are proved.
