@@ -1,6 +1,8 @@
 //! The evaluator: `epsilon` and what belongs to it in f64, without `std`, without allocation.
 
 mod batch;
+#[cfg(all(test, feature = "std", not(target_feature = "fma")))]
+mod bits;
 pub mod bounds;
 mod curve;
 mod end;

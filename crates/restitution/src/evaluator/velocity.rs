@@ -153,11 +153,10 @@ fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(u64::from((1023 + exponent).unsigned_abs()) << 52)
 }
 
-/// Splits a positive finite number into one of `[1, 2)` and its exponent.
+/// Splits a positive finite number into one of `[1, 2)` and its exponent; of a subnormal number the first is smaller.
 fn normalized(x: f64) -> (f64, i32) {
-    let (x, lifted) = if x < f64::MIN_POSITIVE { (x * power_of_two(60), 60) } else { (x, 0) };
     let exponent = (x.to_bits() >> 52) as i32 - 1023;
-    (x * power_of_two(-exponent / 2) * power_of_two(-exponent + exponent / 2), exponent - lifted)
+    (x * power_of_two(-exponent / 2) * power_of_two(-exponent + exponent / 2), exponent)
 }
 
 #[cfg(test)]

@@ -66,8 +66,7 @@ impl Batch<'_> {
             return;
         }
         let last = u.len() - BLOCK;
-        let mut next = 0;
-        while next < u.len() {
+        for next in (0..u.len()).step_by(BLOCK) {
             let start = next.min(last);
             let arguments: &[f64; BLOCK] = u[start..].first_chunk().expect("a block");
             let values = out[start..].first_chunk_mut().expect("a block");
@@ -77,7 +76,6 @@ impl Batch<'_> {
                 (None, Quantity::Kept) => blocks.kept(arguments, values),
                 (None, _) => blocks.lost(arguments, values),
             }
-            next += BLOCK;
         }
     }
 }
@@ -168,22 +166,23 @@ impl<M: Machine, T> Blocks<M, T> {
     where
         T: Curve,
     {
-        let (mut near, mut others) = (0_u64, 0_u64);
+        let (mut near, mut table) = (0_u64, 0_u64);
         for u in u {
-            near += u64::from(*u < T::NEAR_END);
-            others += u64::from(!((0.0 <= *u) & (*u < T::END)));
+            near += u64::from((0.0 <= *u) & (*u < T::NEAR_END));
+            table += u64::from((T::NEAR_END <= *u) & (*u < T::END));
         }
-        if near < BLOCK as u64 {
+        let ways = Ways::of(near, table);
+        if ways.table {
             let (start, t) = places::<T>(u);
             self.machine.read::<Lost, _>(T::TABLE, &start, &t, out);
         }
-        if near > FEW {
+        if ways.near {
             for i in 0..BLOCK {
                 let value = T::near(u[i]);
                 out[i] = if u[i] < T::NEAR_END { value } else { out[i] };
             }
         }
-        if others > 0 || (near > 0 && near <= FEW) {
+        if ways.alone {
             for (u, out) in u.iter().zip(out) {
                 if !(T::NEAR_END..T::END).contains(u) {
                     *out = lost_alone::<T>(*u);
@@ -204,7 +203,8 @@ impl<M: Machine, T> Blocks<M, T> {
             near += u64::from(is_near::<T>(lost));
             table += u64::from(is_in_table::<T>(kept, lost));
         }
-        if table > 0 {
+        let ways = Ways::of(near, table);
+        if ways.table {
             let (mut start, mut change, mut centre) = (Block::zeros(), Block::zeros(), Block::<f64>::zeros());
             for i in 0..BLOCK {
                 let [kept, lost] = given.both(values[i]);
@@ -216,14 +216,14 @@ impl<M: Machine, T> Blocks<M, T> {
                 out[i] += centre[i];
             }
         }
-        if near > FEW {
+        if ways.near {
             for i in 0..BLOCK {
                 let [_, lost] = given.both(values[i]);
                 let u = near_zero::<T>(lost);
                 out[i] = if is_near::<T>(lost) { u } else { out[i] };
             }
         }
-        if table + near < BLOCK as u64 || (near > 0 && near <= FEW) {
+        if ways.alone {
             for (value, out) in values.iter().zip(out) {
                 let [kept, lost] = given.both(*value);
                 if !is_in_table::<T>(kept, lost) {
@@ -313,6 +313,26 @@ impl<M: Machine, T> Blocks<M, T> {
 /// Up to so many arguments near 0 are evaluated one by one rather than the form for all.
 const FEW: u64 = 4;
 
+/// Which ways a block goes.
+#[derive(Debug, PartialEq)]
+struct Ways {
+    /// All of it through the table.
+    table: bool,
+    /// All of it through the form near 0.
+    near: bool,
+    /// What has no piece one by one.
+    alone: bool,
+}
+
+impl Ways {
+    /// The ways of a block of which so many arguments lie near 0 and so many in the table.
+    #[inline(always)]
+    fn of(near: u64, table: u64) -> Self {
+        let few = (1..=FEW).contains(&near);
+        Self { table: table > 0, near: near > FEW, alone: few || near + table < BLOCK as u64 }
+    }
+}
+
 /// What the fifth roots of a block are made of.
 struct Roots {
     root: Block<f64>,
@@ -326,5 +346,46 @@ impl Roots {
     #[inline(always)]
     fn at(&self, i: usize) -> Root {
         Root::from_piece([self.root[i], self.reciprocal[i]], self.power[i], self.y[i], self.scale[i])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_block_goes_no_way_for_nothing() {
+        for near in 0..=BLOCK as u64 {
+            for table in 0..=BLOCK as u64 - near {
+                let Ways { table: by_table, near: by_form, alone } = Ways::of(near, table);
+                let others = BLOCK as u64 - near - table;
+                assert_eq!(by_table, table != 0, "{near} {table}");
+                assert_eq!(by_form, near >= 5, "{near} {table}");
+                assert_eq!(alone, others != 0 || (!by_form && near != 0), "{near} {table}");
+            }
+        }
+    }
+
+    #[test]
+    fn pieces_begin_where_something_is_lost_and_end_with_the_table() {
+        fn check<T: Curve>() {
+            let within = |at: usize, u: f64| {
+                let mut block = [1.0; BLOCK];
+                block[at] = u;
+                all_have_pieces::<T>(&block)
+            };
+            for at in [0, 1, BLOCK - 1] {
+                assert!(within(at, T::NOTHING_LOST) && within(at, T::END.next_down()));
+                assert!(!within(at, T::NOTHING_LOST.next_down()) && !within(at, T::END));
+                assert!(
+                    !within(at, f64::NAN)
+                        && !within(at, -1.0)
+                        && !within(at, 0.0)
+                        && !within(at, f64::INFINITY)
+                );
+            }
+        }
+        check::<ZeroCompression>();
+        check::<ZeroForce>();
     }
 }

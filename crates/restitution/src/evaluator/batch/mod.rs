@@ -137,14 +137,22 @@ fn run(arguments: &[f64], out: &mut [f64], job: &(impl Fn(&[f64], &mut [f64]) + 
     #[cfg(feature = "rayon")]
     {
         use rayon::prelude::*;
-        /// Elements of a share: some 20 microseconds of work, half of a first-level cache.
-        const SHARE: usize = 1 << 14;
-        if length >= 4 * SHARE {
+        if is_shared(length) {
             arguments.par_chunks(SHARE).zip(out.par_chunks_mut(SHARE)).for_each(|(u, out)| job(u, out));
             return;
         }
     }
     job(arguments, out);
+}
+
+/// Elements of a share: some 20 microseconds of work, half of a first-level cache.
+#[cfg(feature = "rayon")]
+const SHARE: usize = 16_384;
+
+/// Whether a slice is worth sharing out: four shares are.
+#[cfg(feature = "rayon")]
+fn is_shared(length: usize) -> bool {
+    length >= 4 * SHARE
 }
 
 /// Work that a machine does.
@@ -175,11 +183,13 @@ mod tests {
     fn a_batch_gives_what_single_calls_give() {
         let spread: [f64; 3000] = core::array::from_fn(|i| 1e-8 * 1.009_f64.powi(i as i32));
         let few: [f64; 700] = core::array::from_fn(|i| (i as f64) * 0.009);
+        let wide: [f64; 2047] =
+            core::array::from_fn(|i| f64::from_bits((i as u64) << 52 | 0x5_a5a5_a5a5_a5a5));
         let odd = [f64::NAN, -1.0, -0.0, f64::INFINITY, 5e-324, 1e-310, 1e300, 7.0_f64.next_down()];
         let mut out = [0.0; 3000];
         for end in ENDS {
             let law = Restitution::from_g_star(0.3, end);
-            for u in [&spread[..], &few[..], &few[7..], &odd[..], &few[..5], &few[..0]] {
+            for u in [&spread[..], &wide[..], &few[..], &few[7..], &odd[..], &few[..5], &few[..0]] {
                 let mut compare = |batch: &dyn Fn(&[f64], &mut [f64]), single: &dyn Fn(f64) -> f64| {
                     batch(u, &mut out);
                     for (u, out) in u.iter().zip(&out) {
@@ -197,6 +207,12 @@ mod tests {
                 compare(&|u, out| law.u_batch(u, out), &|g| law.u(g));
             }
         }
+    }
+
+    #[cfg(feature = "rayon")]
+    #[test]
+    fn slices_are_shared_out_from_65_536_elements_on() {
+        assert!(!is_shared(0) && !is_shared(65_535) && is_shared(65_536) && is_shared(65_537));
     }
 
     #[cfg(feature = "std")]

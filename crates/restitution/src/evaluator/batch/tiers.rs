@@ -33,6 +33,12 @@ impl<const ROWS: usize, const WIDTH: usize> Work for TierBatch<'_, ROWS, WIDTH> 
     }
 }
 
+/// Whether an argument lies inside of the table.
+#[inline(always)]
+fn is_inside<const ROWS: usize, const WIDTH: usize>(tier: &Tier<ROWS, WIDTH>, u: f64) -> bool {
+    (0.0 <= u) & (u < tier.far())
+}
+
 #[inline(always)]
 fn in_copy<const N: usize, const ROWS: usize, const WIDTH: usize>(
     machine: impl Machine,
@@ -42,13 +48,11 @@ fn in_copy<const N: usize, const ROWS: usize, const WIDTH: usize>(
 ) {
     let rows: Rows<N> = Rows::copied(tier.rows());
     let last = u.len() - BLOCK;
-    let mut next = 0;
-    while next < u.len() {
+    for next in (0..u.len()).step_by(BLOCK) {
         let start = next.min(last);
         let arguments: &[f64; BLOCK] = u[start..].first_chunk().expect("a block");
         let values = out[start..].first_chunk_mut().expect("a block");
         block(machine, tier, &rows, arguments, values);
-        next += BLOCK;
     }
 }
 
@@ -63,7 +67,7 @@ fn block<const N: usize, const ROWS: usize, const WIDTH: usize>(
     let mut inside = true;
     let (mut start, mut distance) = (Block::zeros(), Block::zeros());
     for i in 0..BLOCK {
-        inside &= (0.0 <= u[i]) & (u[i] < tier.far());
+        inside &= is_inside(tier, u[i]);
         let (row, s) = tier.place(u[i]);
         (start[i], distance[i]) = (row.wrapping_mul(WORDS), s);
     }
@@ -72,8 +76,7 @@ fn block<const N: usize, const ROWS: usize, const WIDTH: usize>(
         let mut full = [0.0; BLOCK];
         evaluate(machine, tier.end(), u, &mut full);
         for i in 0..BLOCK {
-            let inside = (0.0 <= u[i]) & (u[i] < tier.far());
-            out[i] = if inside { out[i] } else { full[i] };
+            out[i] = if is_inside(tier, u[i]) { out[i] } else { full[i] };
         }
     }
 }
