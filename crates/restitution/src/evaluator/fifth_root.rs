@@ -32,6 +32,12 @@ const SERIES: [f64; 7] = [
 /// A root of ten bits, whose fifth power is therefore exact, and the reciprocal of that power.
 pub(crate) type Piece = [f64; 2];
 
+/// The piece at an index, the last one beyond.
+#[inline(always)]
+pub(crate) fn piece_at(index: u64) -> usize {
+    (index as usize).min(5 * PIECES - 1)
+}
+
 /// A fifth root that is known better than one f64: `x^(1/5) = coarse + step p(z)`.
 #[derive(Clone, Copy)]
 pub(crate) struct Root {
@@ -52,7 +58,7 @@ impl Root {
     #[inline(always)]
     pub(crate) fn of(x: f64) -> Self {
         let (index, y, scale) = Self::place(x);
-        let index = (index as usize).min(ROOTS.len() - 1);
+        let index = piece_at(index);
         Self::from_piece(ROOTS[index], POWERS[index], y, scale)
     }
 
@@ -179,6 +185,11 @@ const fn pieces() -> [Piece; 5 * PIECES] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_index_lies_beyond_the_pieces() {
+        assert_eq!([0, 1, 318, 319, 320, u64::MAX].map(piece_at), [0, 1, 318, 319, 319, 319]);
+    }
 
     /// The largest distance of a number from the fifth power in its piece, at the ends of all pieces.
     #[test]

@@ -246,6 +246,28 @@ impl Grid {
 mod tests {
     use super::*;
 
+    /// What is read back lies within half a unit of the last bit that the packing leaves: 21, 28, 36 and 43 bits of 64 are cut.
+    #[test]
+    fn packed_coefficients_are_rounded_to_nearest() {
+        let mut largest = [0; 4];
+        for step in 0..1000_u32 {
+            let c: [f64; LENGTH] = core::array::from_fn(|k| {
+                let size = 1.0 + f64::from(step * 7919 % 1009) / 1009.0 + f64::from(step) * 1e-9;
+                if (step >> k) & 1 == 0 { size } else { -size / 3.0 }
+            });
+            let read = piece(c, 0.5).all();
+            assert_eq!(read[..4], c[..4]);
+            for (k, cut) in [(4, 21), (5, 28), (6, 36), (7, 43)] {
+                let error = read[k].to_bits().abs_diff(c[k].to_bits());
+                assert!(error <= 1 << (cut - 1), "{k} {step}");
+                largest[k - 4] = error.max(largest[k - 4]);
+            }
+        }
+        for (error, cut) in largest.into_iter().zip([21, 28, 36, 43]) {
+            assert!(error > 1 << (cut - 2), "the test has seen no rounding of {cut} bits");
+        }
+    }
+
     #[test]
     fn the_end_of_a_table_is_where_locate_says() {
         for (grid, pieces, end) in [

@@ -1,6 +1,6 @@
 //! What a processor is asked for: rows of a table, looked up and evaluated side by side.
 
-use crate::evaluator::fifth_root::ROOTS;
+use crate::evaluator::fifth_root::{ROOTS, piece_at};
 use crate::evaluator::pieces::{LENGTH, Rows, distance, one_minus, polynomial};
 use crate::evaluator::rounding::Divided;
 use crate::evaluator::tier::value;
@@ -131,7 +131,7 @@ impl Machine for Compiled {
     #[inline(always)]
     fn roots(self, index: &Block<u64>, root: &mut Block<f64>, reciprocal: &mut Block<f64>) {
         for i in 0..BLOCK {
-            [root[i], reciprocal[i]] = ROOTS[(index[i] as usize).min(ROOTS.len() - 1)];
+            [root[i], reciprocal[i]] = ROOTS[piece_at(index[i])];
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Work;
 use super::machine::{BLOCK, Block, Compiled, Machine, Reading};
-use crate::evaluator::fifth_root::ROOTS;
+use crate::evaluator::fifth_root::{ROOTS, piece_at};
 use crate::evaluator::pieces::{LENGTH, LIFT_SEVENTH, LIFT_SIXTH, Rows};
 use crate::evaluator::rounding::{Divided, Number, Rooted};
 use crate::evaluator::tier::value;
@@ -55,7 +55,7 @@ trait Width: Simd {
 /// A piece of the fifth root; the last one for an index beyond.
 #[inline(always)]
 fn root(index: u64) -> __m128d {
-    cast(ROOTS[(index as usize).min(ROOTS.len() - 1)])
+    cast(ROOTS[piece_at(index)])
 }
 
 impl Width for V4 {
