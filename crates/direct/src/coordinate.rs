@@ -83,4 +83,13 @@ mod tests {
         assert_eq!((c.elastic.to_string(), c.damping.to_string()), ("2001/1000".into(), "1".into()));
         assert!(!c.crosses_zero());
     }
+
+    #[test]
+    fn the_force_vanishes_on_the_way_out_where_elasticity_grows_faster_than_damping() {
+        for (law, known) in
+            [("3/2,1/2", true), ("1,0", true), ("1,1", false), ("1,3/2", false), ("3/2,-1/2", true)]
+        {
+            assert_eq!(Coordinate::of(&law.parse().unwrap()).has_zero_force(), known, "{law}");
+        }
+    }
 }

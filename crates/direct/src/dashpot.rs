@@ -115,4 +115,10 @@ mod tests {
             assert!(dashpot(law, u).is_none(), "{law}");
         }
     }
+
+    #[test]
+    fn nearly_critical_is_beyond_fifteen_sixteenths() {
+        let with = |zeta_squared| Dashpot { zeta_squared, ..dashpot("1,0", ratio(1, 1)).unwrap() };
+        assert!(!with(ratio(15, 16)).is_nearly_critical() && with(ratio(1501, 1600)).is_nearly_critical());
+    }
 }

@@ -24,15 +24,16 @@ impl Curve for ZeroCompression {
     /// ```text
     /// epsilon = R^5/u^5 (1 + O(1e-18)),   epsilon(2^k u) = 2^(-5k) epsilon(u)
     /// ```
+    ///
+    /// `2^-100` of `u`, where every power is normal.
     fn beyond(u: f64, low: f64) -> f64 {
         const ALL_STOPPED: f64 = f64::from_bits((1023 + 216) << 52);
-        const LARGE: f64 = f64::from_bits((1023 + 200) << 52); // below, the power is normal
         const SCALE: f64 = f64::from_bits((1023 - 100) << 52);
         const SCALE_TO_5: f64 = f64::from_bits((1023 - 500) << 52);
         if u >= ALL_STOPPED {
             return 0.0;
         }
-        if u < LARGE { power_law(u, low) } else { power_law(u * SCALE, low * SCALE) * SCALE_TO_5 }
+        power_law(u * SCALE, low * SCALE) * SCALE_TO_5
     }
 
     #[inline(always)]

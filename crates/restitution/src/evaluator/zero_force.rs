@@ -25,18 +25,16 @@ impl Curve for ZeroForce {
     /// ```text
     /// epsilon = (3/2)^(2/3) u^(-5/3) (1 + s(u^(-1/3)))
     /// ```
+    ///
+    /// `2^-300` of `u`, where every power that counts is normal, and `2^500` of `epsilon`.
     #[cold]
     fn beyond(u: f64, low: f64) -> f64 {
-        const LARGE: f64 = f64::from_bits((1023 + 300) << 52);
         const SCALE: f64 = f64::from_bits((1023 - 300) << 52);
         const SCALED_POWER: f64 = f64::from_bits((1023 - 500) << 52);
-        if u < LARGE {
-            return power_law(u, low, 1.0);
-        }
         if u.is_infinite() {
             return 0.0;
         }
-        power_law(u * SCALE, low * SCALE, SCALED_ROOT) * SCALED_POWER
+        power_law(u * SCALE, low * SCALE) * SCALED_POWER
     }
 
     /// `1 - epsilon = u (a(u) + u^(3/2) b(u))` on `[0, NEAR_END)`.
@@ -64,7 +62,7 @@ impl Curve for ZeroForce {
         let root = fifth_root(LIMIT[0] / kept);
         let mut u = root * root * root;
         for _ in 0..STEPS {
-            let ratio = power_law(u, 0.0, SCALED_ROOT) / kept - 1.0;
+            let ratio = power_law(u, 0.0) / kept - 1.0;
             u += u * (0.6 * ratio);
             if ratio.abs() <= 2.0 * f64::EPSILON {
                 break;
@@ -93,8 +91,8 @@ pub(crate) fn near_by_root<T: Number>(root: T, u: T) -> T {
 }
 
 /// The power law, with `u^(-1/3) = r (1 - d)^(-1/3)`, `d = 1 - u r^3`, and `r` of 17 bits so that its
-/// cube is exact; the roundings of `r^5 (3/2)^(2/3)` are carried along. `root_scale` turns `u^(-1/3)` of a scaled `u` back.
-fn power_law(u: f64, low: f64, root_scale: f64) -> f64 {
+/// cube is exact; the roundings of `r^5 (3/2)^(2/3)` are carried along. Of a damping that is scaled by `2^-300` it gives `2^500 epsilon`.
+fn power_law(u: f64, low: f64) -> f64 {
     let r = short_inverse_cube_root(u);
     let (r2, r3) = (r * r, r * r * r);
     let (product, error) = two_product(u, r3);
@@ -102,7 +100,7 @@ fn power_law(u: f64, low: f64, root_scale: f64) -> f64 {
     let (r5, r5_error) = two_product(r2, r3);
     let (whole, error) = two_product(r5, LIMIT[0]);
     let power = d * (5.0 / 3.0 + d * (20.0 / 9.0 + d * (220.0 / 81.0 + d * (770.0 / 243.0))));
-    let argument = root_scale * r * (1.0 + d * (1.0 / 3.0 + d * (2.0 / 9.0 + d * (14.0 / 81.0))));
+    let argument = SCALED_ROOT * r * (1.0 + d * (1.0 / 3.0 + d * (2.0 / 9.0 + d * (14.0 / 81.0))));
     let (index, centre) = GRID_BEYOND.locate(argument);
     let correction = polynomial(&BEYOND[index.min(BEYOND.len() - 1)], argument - centre);
     let factor = power + correction + power * correction - low / u * (5.0 / 3.0);
