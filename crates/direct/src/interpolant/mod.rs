@@ -299,15 +299,14 @@ mod tests {
             assert!(matches!(wrong, Err(DirectError::Interval { .. })));
         }
         assert!(ask(ratio(1, 1), ratio(1, 1), 0, 60).is_ok());
-        // A coordinate with a fraction as its power, q = 2/3.
-        let fraction = Collision::new(&"2,1/2".parse().unwrap(), End::ZeroCompression).unwrap();
-        let piece = fraction.interpolant(&ratio(9, 10), &ratio(1, 1), Variable::Damping, 4, 60).unwrap();
-        let (found, known) = (piece.enclose(&exactly).unwrap(), fraction.enclose(&exactly, 80).unwrap());
-        assert!(
-            (found - known).contains_zero() && piece.remainder().upper() < 1e-4,
-            "{:?}",
-            piece.remainder()
-        );
+        // A coordinate with a fraction as its power, q = 2/3; an elastic term of the lowest power, a < gamma.
+        for law in ["2,1/2", "1,2"] {
+            let other = Collision::new(&law.parse().unwrap(), End::ZeroCompression).unwrap();
+            let piece = other.interpolant(&ratio(9, 10), &ratio(1, 1), Variable::Damping, 4, 60).unwrap();
+            let (found, known) = (piece.enclose(&exactly).unwrap(), other.enclose(&exactly, 80).unwrap());
+            assert!((found - known).contains_zero(), "{law}");
+            assert!(piece.remainder().upper() < 1e-4, "{law}: {:?}", piece.remainder());
+        }
         // A degree of 100 is not refused as such.
         let none = Collision::new(&"997/1009,5/7".parse().unwrap(), End::ZeroCompression).unwrap();
         let refusal = none.interpolant(&ratio(1, 1), &ratio(1, 1), Variable::Damping, 100, 60);
