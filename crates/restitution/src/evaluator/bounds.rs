@@ -154,3 +154,15 @@ pub const STEP_UP: Bound = Bound {
 /// All of them.
 pub const ALL: [Bound; 7] =
     [EPSILON, ONE_MINUS_EPSILON, EPSILON_OF_VELOCITY, EPSILON_BEYOND, FIFTH_ROOT, INVERSE, STEP_UP];
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bound_says_what_it_rests_on() {
+        assert_eq!(EPSILON.to_string(), "at most 2 ulp (proved)");
+        let measured = Bound { size: 1e-15, unit: Unit::Relative, evidence: Evidence::Measured, ..EPSILON };
+        assert_eq!(measured.to_string(), "at most 1e-15 relative (measured)");
+    }
+}
