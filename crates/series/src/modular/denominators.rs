@@ -50,9 +50,9 @@ impl Denominators {
         &self.primes
     }
 
-    /// How many of the primes occur up to index `j`, at most.
-    pub fn primes_until(&self, j: usize) -> usize {
-        self.least.partition_point(|orders| orders.last().is_some_and(|least| least[0] as usize <= j))
+    /// How many of the primes occur below index `j`, at most.
+    pub fn primes_below(&self, j: usize) -> usize {
+        self.least.partition_point(|orders| orders.last().is_some_and(|least| (least[0] as usize) < j))
     }
 
     /// The exponent of a prime in the bound.
@@ -144,6 +144,9 @@ impl Local {
     }
 
     /// `E`: the largest sum of weights whose indices add up to at most `j`.
+    ///
+    /// Where the prime divides neither `unit` nor `elastic`, only indices count at which it divides `unit + elastic k`: elsewhere a
+    /// weight is not positive, or, for 2 and even `k`, below `k`, while index 1 weighs at least 1.
     fn undamped(&self) -> Least {
         let mut items: Vec<(usize, usize)> = Vec::new();
         let mut offer = |k: usize| {
@@ -153,7 +156,7 @@ impl Local {
                 items.push((k, weight));
             }
         };
-        if self.prime == 2 || self.unit > 0 || self.elastic > 0 {
+        if (self.unit, self.elastic) != (0, 0) {
             (1..self.terms).for_each(&mut offer);
         } else if let Some(Indices { first, period }) = self.indices(self.prime as i64, self.lattice.unit) {
             (first..self.terms).step_by(period).for_each(&mut offer);
@@ -273,17 +276,15 @@ fn primes_of_all(lattice: Lattice, damping_order: usize, terms: usize) -> Vec<u6
     let Lattice { elastic, damping, unit } = lattice;
     let orders = 0..=damping_order as i64;
     let indices = orders.flat_map(|n| (0..terms as i64).map(move |j| elastic * j + damping * n));
-    let numbers = [2, unit, elastic]
-        .into_iter()
-        .chain(indices.flat_map(|m| [m, m + unit]))
-        .filter(|&number| number > 1);
-    let largest = elastic as u64 * terms as u64 + damping as u64 * damping_order as u64 + unit as u64;
+    let numbers = [2, unit, elastic].into_iter().chain(indices.flat_map(|m| [m, m + unit]));
+    let numbers = numbers.filter(|&number| number > 0).map(|number| number as u64);
+    let largest = numbers.clone().max().unwrap_or(0);
     let mut small: Vec<(u64, bool)> = primes_up_to(largest.isqrt()).map(|prime| (prime, false)).collect();
     let mut primes = Vec::new();
     for number in numbers {
-        let mut rest = number as u64;
+        let mut rest = number;
         for (prime, divides) in &mut small {
-            if *prime * *prime > rest {
+            if prime.pow(2) > rest {
                 break;
             }
             while rest.is_multiple_of(*prime) {

@@ -17,7 +17,7 @@ pub(super) fn fractions(
     numerators: &[Integer],
     multiples: &[Integer],
 ) -> Vec<BigRational> {
-    let count = bound.primes_until(j + numerators.len() - 1);
+    let count = bound.primes_below(j + numerators.len());
     let mut numerators = numerators.to_vec();
     let mut cancelled = vec![Integer::from(1); numerators.len()];
     // How often each prime was taken out.

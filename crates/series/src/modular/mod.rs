@@ -71,18 +71,22 @@ impl Trajectories {
         watch: &(dyn Fn(Ratio<usize>) + Sync),
     ) -> Self {
         keep_freed_memory();
-        let small = terms <= FEW_TERMS || index(law, damping_order, terms) > LARGEST_INDEX;
         let bounds = || {
             let denominators = || Denominators::bound(law.lattice(), damping_order, terms);
             let (sizes, denominators) = rayon::join(|| sizes(law, damping_order, terms), denominators);
             Some(Bounds { sizes: sizes?, denominators })
         };
-        let exact = if small { None } else { bounds() };
+        let exact = if is_large(law, damping_order, terms) { bounds() } else { None };
         let orders = exact.and_then(|bounds| reconstruct(law, damping_order, terms, &bounds, watch));
         // Where no bound on the sizes is known, fractions need none.
         let orders = orders.unwrap_or_else(|| recurrence::coefficients(law, damping_order, terms));
         Self::from_orders(law, terms, orders)
     }
+}
+
+/// Whether there are so many terms that primes are worth it, and no index so large that one of them could divide it.
+fn is_large(law: &ForceLaw, damping_order: usize, terms: usize) -> bool {
+    terms > FEW_TERMS && index(law, damping_order, terms) <= LARGEST_INDEX
 }
 
 /// For every `(n, j)` an exponent `s` with `|q_(n,j)| <= 2^s`; none where no bound is known.
@@ -131,9 +135,7 @@ fn reconstruct(
     let Bounds { sizes, denominators } = bounds;
     let multiples: Vec<Vec<Integer>> =
         (0..=damping_order).into_par_iter().map(|n| denominators.multiples(n, terms)).collect();
-    let bits = |n: usize, j: usize| {
-        u32::try_from(i64::from(multiples[n][j].significant_bits()) + sizes[n][j]).unwrap_or(0)
-    };
+    let bits = |n: usize, j: usize| bits_of_product(&multiples[n][j], sizes[n][j]);
     let most =
         (0..=damping_order).flat_map(|n| (0..terms).map(move |j| (n, j))).map(|(n, j)| bits(n, j)).max();
     let count = groups_for(most.unwrap_or(0));
@@ -145,7 +147,7 @@ fn reconstruct(
     let mut residues = vec![Lanes::ZERO; count * (damping_order + 1) * terms];
     let stride = (damping_order + 1) * terms;
     let fill = |(primes, rows): (&Primes, &mut [Lanes])| {
-        numerators_modulo(*primes, law, terms, denominators, rows);
+        numerators_modulo(*primes, law, (damping_order, terms), denominators, rows);
         watch(Ratio::new_raw(done.fetch_add(1, Ordering::Relaxed) + 1, count));
     };
     primes.par_iter().zip(residues.par_chunks_mut(stride)).for_each(fill);
@@ -164,6 +166,16 @@ fn reconstruct(
     Some(numerators.chunks(terms).enumerate().map(row).collect())
 }
 
+/// Bits of the product of a multiple and a number of at most `2^size`; 0 where the product is below 1.
+fn bits_of_product(multiple: &Integer, size: i64) -> u32 {
+    u32::try_from(i64::from(multiple.significant_bits()) + size).unwrap_or(0)
+}
+
+/// Words for integers modulo so many groups of primes below `2^50`.
+fn words_for(groups: usize) -> usize {
+    groups * LANES * 50 / 64 + 1
+}
+
 /// The integers with the given residues at every place, of which each needs so many groups of primes.
 fn integers(
     primes: &[Primes],
@@ -179,7 +191,7 @@ fn integers(
         (0..stride).map(|place| needed(place).next_multiple_of(step).min(primes.len())).collect();
     let of_level = |count: usize| {
         let level = Level::new(&primes[..count], 0);
-        let width = count * LANES * 50 / 64 + 1;
+        let width = words_for(count);
         let places: Vec<usize> = (0..stride).filter(|&place| levels[place] == count).collect();
         let block = |places: &[usize]| {
             let mut words = vec![0; width * places.len()];
@@ -201,13 +213,13 @@ fn integers(
 fn numerators_modulo(
     primes: Primes,
     law: &ForceLaw,
-    terms: usize,
+    (damping_order, terms): (usize, usize),
     denominators: &Denominators,
     rows: &mut [Lanes],
 ) {
     let field = Residues::new(primes);
     let motion = Motion { field: &field, lattice: law.lattice(), shared: law.is_viscoelastic(), terms };
-    let orders = motion.orders(rows.len() / terms - 1);
+    let orders = motion.orders(damping_order);
     for (n, (row, order)) in rows.chunks_exact_mut(terms).zip(orders).enumerate() {
         row.copy_from_slice(&order);
         multiply_by_growth(&primes, row, denominators.growth(n));
@@ -241,13 +253,27 @@ mod tests {
             [("3/2,1/2", 4, 36), ("5/3,1/4", 2, 36), ("2,1", 3, 30), ("1,0", 2, 30), ("3,-1/2", 2, 30)]
         {
             let law: ForceLaw = law.parse().unwrap();
-            let exact = Trajectories::exact(&law, order, terms);
+            let bounds = Bounds {
+                sizes: sizes(&law, order, terms).unwrap(),
+                denominators: Denominators::bound(law.lattice(), order, terms),
+            };
+            let shares = std::sync::Mutex::new(Vec::new());
+            let exact = reconstruct(&law, order, terms, &bounds, &|share| shares.lock().unwrap().push(share));
+            let exact = exact.unwrap();
+            let mut shares = shares.into_inner().unwrap();
+            shares.sort_unstable();
+            let count = shares.len();
+            assert!(shares.into_iter().eq((1..=count).map(|done| Ratio::new(done, count))), "{law}");
             let plain = recurrence::coefficients(&law, order, terms);
+            let given = Trajectories::exact(&law, order, terms);
+            assert!(
+                exact.iter().enumerate().all(|(n, row)| given.coefficients(n) == Ok(row.as_slice())),
+                "{law}"
+            );
             for (n, plain) in plain.iter().enumerate() {
                 // Fractions are equal in other than lowest terms, too: numerators and denominators are compared.
                 let parts = |q: &BigRational| (q.numer().clone(), q.denom().clone());
-                let [exact, plain] = [exact.coefficients(n).unwrap(), plain]
-                    .map(|row| row.iter().map(parts).collect::<Vec<_>>());
+                let [exact, plain] = [&exact[n], plain].map(|row| row.iter().map(parts).collect::<Vec<_>>());
                 assert_eq!(exact, plain, "{law} {n}");
             }
         }
@@ -274,5 +300,49 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// A bound on the coefficient over a power of the turning time, rounded up once for each: from its formula, within two bits.
+    #[test]
+    fn sizes_are_bounds_over_powers_of_the_turning_time() {
+        for (law, order, terms) in
+            [("3/2,1/2", 3, 60), ("5/3,1/4", 2, 40), ("3,-1/2", 2, 40), ("12,11", 1, 30)]
+        {
+            let law: ForceLaw = law.parse().unwrap();
+            let bound = TailBound::find_rough(&law, order).unwrap();
+            let sizes = sizes(&law, order, terms).unwrap();
+            let turning_time = turning_time(&law, 64).to_f64().log2();
+            let [elastic, damping] = [law.elastic_step(), law.damping_step()]
+                .map(|step| restitution_real::Ball::from_rational(&step, 64).to_f64());
+            for n in 0..=order {
+                for j in (0..terms).filter(|&j| j <= bound.checked_terms() || j.is_multiple_of(STRIDE)) {
+                    let scaled = bound.coefficient_up(n, j);
+                    let (mantissa, exponent) = scaled.to_f64_exp();
+                    let exact = mantissa.log2() + exponent as f64
+                        - (elastic * j as f64 + damping * n as f64) * turning_time;
+                    let over = sizes[n][j] as f64 - exact;
+                    assert!((0.0..2.1).contains(&over), "{law} {n} {j}: {over}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn few_terms_and_large_indices_are_done_in_fractions() {
+        let spheres = ForceLaw::viscoelastic_spheres();
+        assert_eq!(
+            [1, FEW_TERMS, FEW_TERMS + 1, 1000].map(|terms| is_large(&spheres, 2, terms)),
+            [false, false, true, true]
+        );
+        let law: ForceLaw = "99999,0".parse().unwrap();
+        assert_eq!(index(&law, 0, 1000), LARGEST_INDEX);
+        assert_eq!([0, 1].map(|order| is_large(&law, order, 1000)), [true, false]);
+    }
+
+    #[test]
+    fn products_have_the_bits_of_both() {
+        let multiple = Integer::from(1000);
+        assert_eq!([-11, -10, -9, 0, 5].map(|size| bits_of_product(&multiple, size)), [0, 0, 1, 10, 15]);
+        assert_eq!([0, 1, 2, 16].map(words_for), [1, 7, 13, 101]);
     }
 }

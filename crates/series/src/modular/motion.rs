@@ -76,7 +76,7 @@ impl Motion<'_> {
             let mut right = field.over(drag, self.lattice.damping);
             if let Some(lower) = &lower {
                 let mut pull = vec![Lanes::ZERO];
-                pull.extend(lower[..terms - 1].iter().map(|&pull| -pull));
+                pull.extend(lower.iter().map(|&pull| -pull));
                 right = field.add(right, &pull);
             }
             let f_n = self.solve(&linearised, &right, 0, n);

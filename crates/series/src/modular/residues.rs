@@ -55,8 +55,7 @@ impl Residues {
     /// The transforms are so long that what is folded over falls below the range, and no longer.
     pub fn products(&self, terms: &Terms, range: Range<usize>) -> Vec<Lanes> {
         let cut = |series: &'_ [Lanes]| series.len().min(range.end);
-        let whole = cut(terms[0].1) + cut(terms[0].2) - 1;
-        let size = size_for(range.end.min(whole).max(whole - range.start.min(whole)));
+        let size = size_for(least_length(cut(terms[0].1), cut(terms[0].2), &range));
         let transform = |series: &[Lanes]| self.transform(&series[..cut(series)], size);
         let factors: Vec<_> = terms.iter().map(|(_, a, b)| (transform(a), transform(b))).collect();
         let transformed: Vec<_> = terms
@@ -105,6 +104,7 @@ impl Residues {
         out
     }
 
+    /// Beyond the shorter of the two nothing is added.
     pub fn add(&self, mut a: Vec<Lanes>, b: &[Lanes]) -> Vec<Lanes> {
         add(&self.primes, &mut a, b);
         a
@@ -120,6 +120,12 @@ impl Residues {
         }
         z
     }
+}
+
+/// The least length of a transform from which some coefficients of a product can be read.
+fn least_length(first: usize, second: usize, range: &Range<usize>) -> usize {
+    let whole = first + second - 1;
+    range.end.min(whole).max(whole - range.start.min(whole))
 }
 
 vectorised! {
@@ -198,5 +204,17 @@ vectorised! {
                 inverses[c] = primes.mul(inverses[c], primes.integer(integers[c]));
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is folded over ends below the range: a product of six and four terms has nine.
+    #[test]
+    fn transforms_are_as_long_as_a_range_needs() {
+        let length = |range: Range<usize>| least_length(6, 4, &range);
+        assert_eq!([0..9, 0..20, 0..3, 3..6, 4..8, 8..9, 12..15].map(length), [9, 9, 9, 6, 8, 9, 9]);
     }
 }

@@ -114,11 +114,79 @@ fn weights_count_the_velocity_where_a_prime_divides_the_unit() {
     }
 }
 
+/// Theorem 7 written out, in parts of `1/scale` at every index, from the weights alone.
+fn theorem_7(local: &Local, damping_order: usize) -> Vec<Vec<i64>> {
+    let Lattice { elastic, damping, unit } = local.lattice;
+    let scale = local.scale as i64;
+    let mut undamped = vec![0; local.terms];
+    for j in 1..local.terms {
+        let with = |k: usize| undamped[j - k] + local.weight(k).max(0);
+        undamped[j] = (1..=j).map(with).max().unwrap().max(undamped[j - 1]);
+    }
+    let mut orders = vec![undamped];
+    let mut steps = vec![vec![0; local.terms]];
+    for n in 1..=damping_order {
+        let step = |j: usize| {
+            let m = elastic * j as i64 + damping * n as i64;
+            let divisions = valuation(m, local.prime).max(valuation(m + unit, local.prime));
+            let part = i64::from(valuation(unit, local.prime) > 0);
+            orders[n - 1][j] + scale * (valuation(elastic, local.prime) + divisions) + part
+        };
+        steps.push((0..local.terms).map(step).collect());
+        let largest = |j: usize| {
+            let of = |k: usize| {
+                let pairs = (0..=j).flat_map(move |i| (0..=j - i).map(move |other| (i, other)));
+                pairs.map(|(i, other)| steps[k][i] + orders[n - k][other]).max().unwrap()
+            };
+            (1..=n).map(of).max().unwrap()
+        };
+        let order = (0..local.terms).map(largest).collect();
+        orders.push(order);
+    }
+    orders
+}
+
+/// Primes that divide the unit, `elastic`, both or neither of them; at every index and order, no more and no less.
+#[test]
+fn exponents_are_those_of_theorem_7() {
+    for (law, primes) in [
+        ("3/2,1/2", [2u64, 3, 5, 7]),
+        ("5/4,1/3", [2, 3, 13, 11]),
+        ("2,1", [2, 3, 5, 7]),
+        ("11/3,-1/2", [2, 3, 7, 29]),
+        ("7/2,5/4", [2, 3, 5, 17]),
+        ("17/8,1/27", [2, 3, 5, 13]),
+    ] {
+        let law: ForceLaw = law.parse().unwrap();
+        for prime in primes {
+            let local = Local::new(law.lattice(), prime, 3, 28);
+            let expected = theorem_7(&local, 3);
+            for (n, (least, expected)) in local.orders(3).into_iter().zip(expected).enumerate() {
+                let first = |value: i64| expected.iter().position(|&found| found >= value).unwrap() as u32;
+                let expected: Vec<u32> = (0..=*expected.last().unwrap()).map(first).collect();
+                assert_eq!(least, expected, "{law} {prime} {n}");
+            }
+        }
+    }
+}
+
+#[test]
+fn factors_of_one_index_are_multiplied_below_a_limit() {
+    let largest = 1 << 49;
+    assert_eq!(together(vec![(3, 5), (1, 7), (3, 2), (4, 3)]), [(1, 7), (3, 10), (4, 3)]);
+    assert_eq!(together(vec![(2, 2); 60]), [(2, largest), (2, 1 << 11)]);
+    assert_eq!(LARGEST_FACTOR, 2 * largest);
+}
+
 #[test]
 fn primes_are_those_of_a_sieve() {
-    for (law, order, terms) in
-        [("3/2,1/2", 3, 60), ("1,0", 0, 30), ("997/1009,5/7", 2, 40), ("47/12,13/10", 4, 30)]
-    {
+    for (law, order, terms) in [
+        ("3/2,1/2", 3, 60),
+        ("1,0", 0, 30),
+        ("997/1009,5/7", 2, 40),
+        ("47/12,13/10", 4, 30),
+        ("1/2,1", 2, 14),
+    ] {
         let Lattice { elastic, damping, unit } = law.parse::<ForceLaw>().unwrap().lattice();
         let largest = elastic * terms as i64 + damping * order as i64 + unit;
         let divides = |number: i64, prime: u64| number > 0 && number % prime as i64 == 0;
