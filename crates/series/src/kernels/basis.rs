@@ -338,4 +338,9 @@ mod tests {
             check(groups, &values, groups * 399 / 64 + 2, &[0, 64, 65, 399]);
         }
     }
+
+    #[test]
+    fn the_product_of_no_number_is_one() {
+        assert_eq!([&[][..], &[7], &[2, 3, 5]].map(product_of), [1, 7, 30]);
+    }
 }

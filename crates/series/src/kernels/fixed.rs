@@ -243,4 +243,27 @@ mod tests {
         sum.add(&series.negated());
         assert_eq!(sum, Fixed::zero(7, 4));
     }
+
+    /// Numbers of all bits but that of the sign are held, larger ones become the largest.
+    #[test]
+    fn numbers_that_are_too_large_become_the_largest() {
+        for width in [1, 2, 3] {
+            let limit = Integer::from(1) << (64 * width as u32 - 1);
+            let largest = Integer::from(&limit - 1);
+            let numbers = [&largest, &limit, &Integer::from(&limit << 1), &Integer::from(&limit << 70)];
+            let (above, below) = (numbers.map(Integer::clone), numbers.map(|x| Integer::from(-x)));
+            let held = Fixed::from_integers(&[above, below].concat(), width);
+            for j in 0..8 {
+                assert_eq!(held.integer(j), if j < 4 { largest.clone() } else { Integer::from(-&largest) });
+            }
+        }
+    }
+
+    #[test]
+    fn powers_of_two_end_at_those_of_doubles() {
+        let powers = [-5000, -1022, -1021, 0, 1023, 1024, 1025, 5000].map(|e| power_of_two(e).to_f64());
+        let least = f64::MIN_POSITIVE;
+        let infinite = f64::INFINITY;
+        assert_eq!(powers, [least, least, 2.0 * least, 1.0, 2f64.powi(1023), infinite, infinite, infinite]);
+    }
 }

@@ -22,7 +22,7 @@ pub(crate) use lanes::{LANES, Lanes, arch, turn, vectorised};
 pub(crate) use prime::{Primes, groups_for, primes};
 pub(crate) use rows::{Convolution, Rows, block_for};
 pub(crate) use small_primes::SmallPrimes;
-pub(crate) use transform::{Roots, size_for};
+pub(crate) use transform::{Roots, least_length, size_for};
 pub(crate) use workshop::{Extent, Sum, Term, Transformed, Workshop};
 
 /// Lets glibc keep memory that was freed, up to 64 MiB, instead of giving it back to the system page by page: whole

@@ -276,4 +276,13 @@ mod tests {
             assert!(primes.least(primes.pow(root, [order; LANES])).0.iter().all(|&power| power != 1.0));
         }
     }
+
+    #[test]
+    fn capacities_are_what_groups_hold() {
+        for groups in [1, 2, 7, 100] {
+            let bits = capacity(groups);
+            assert_eq!([bits, bits + 1].map(groups_for), [groups, groups + 1]);
+        }
+        assert_eq!([0, 396, 397].map(groups_for), [1, 1, 2]);
+    }
 }

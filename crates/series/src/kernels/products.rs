@@ -4,8 +4,10 @@ use super::basis::Table;
 use super::fixed::Fixed;
 use super::lanes::{Lanes, turn, vectorised};
 use super::prime::{Primes, groups_for};
-use super::transform::{Roots, size_for};
-use super::workshop::{Extent, Sum, TOGETHER, WORTH_SPLITTING, Workshop, extent_of, fill_and_transform};
+use super::transform::{Roots, least_length, size_for};
+use super::workshop::{
+    Extent, Sum, TOGETHER, Workshop, extent_of, fill_and_transform, for_each_piece, is_costly,
+};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::Ordering;
@@ -31,17 +33,9 @@ impl Workshop {
         let (size, count) = (sum.size, sum.count);
         let roots = self.roots(size);
         let back = |(i, row): (usize, &mut [Lanes])| roots[i].backward(row);
-        if self.is_costly(size, count) {
-            sum.values.par_chunks_mut(size).enumerate().for_each(back);
-        } else {
-            sum.values.chunks_mut(size).enumerate().for_each(back);
-        }
+        for_each_piece(&mut sum.values, size, self.effort(), back);
         let kept = Kept { values: sum.values, count, extent: sum.extent, range: 0..size, size };
         self.rounded(kept, len, shift)
-    }
-
-    fn is_costly(&self, size: usize, count: usize) -> bool {
-        count * size * (count + 10) > WORTH_SPLITTING
     }
 
     /// The first `len` of the coefficients that were kept, divided by `2^shift`, `shift >= 64`.
@@ -69,11 +63,7 @@ impl Workshop {
                 rest = after;
             }
         };
-        if self.is_costly(size, count) {
-            words.par_chunks_mut(self.width * TOGETHER).enumerate().for_each(write);
-        } else {
-            words.chunks_mut(self.width * TOGETHER).enumerate().for_each(write);
-        }
+        for_each_piece(&mut words, self.width * TOGETHER, self.effort(), write);
         self.give_back(values);
         Fixed::from_words(words, self.width)
     }
@@ -94,8 +84,7 @@ impl Workshop {
             terms.iter().map(|(weight, a, b)| (*weight, a.truncated(len), b.truncated(len))).collect();
         let dropped = self.drop_worthless(&mut factors);
         let [a, b] = factors.first().map_or([1, 1], |(_, a, b)| [a.len(), b.len()]);
-        let whole = (a + b).max(2) - 1;
-        let size = size_for(len.min(whole).max(whole - range.start.min(whole)));
+        let size = size_for(least_length(a, b, &range));
         let range = range.start..len.min(size);
         let len = range.len();
         self.rounded(self.kept(&factors, size, range), len, self.bits - dropped)
@@ -152,7 +141,7 @@ impl Workshop {
         };
         let rows = || vec![Lanes::ZERO; 3 * size];
         let chunk = range.len().max(1);
-        if self.is_costly(size, count) {
+        if is_costly(values.len(), self.effort()) {
             values.par_chunks_mut(chunk).enumerate().for_each_init(rows, multiply);
         } else {
             let mut rows = rows();
@@ -222,6 +211,33 @@ mod tests {
                 assert!(error.significant_bits() <= 2, "{first} {second} {fall} {k}: {error}");
             }
             assert!(!shop.overflowed());
+        }
+    }
+
+    /// What a sum is known to be decides whether it fits its words, and how many primes it needs.
+    #[test]
+    fn extents_are_those_of_all_terms() {
+        let shop = Workshop::new(192, 24, (0, 1));
+        let series = Fixed::from_integers(&[Integer::from(1) << 150, Integer::from(5)], shop.width());
+        // 151 bits twice, two terms each, and as many products.
+        for (products, weight, peak) in
+            [(1, 1, 302 + 1 + 1 + 2 + 2), (2, 1, 302 + 1 + 1 + 2 + 3), (9, -4, 302 + 3 + 1 + 2 + 5)]
+        {
+            let factors = vec![(weight, series.clone(), series.clone()); products];
+            let kept = shop.kept(&factors, 4, 0..3);
+            assert_eq!((kept.extent, kept.count), (Extent { peak, reach: peak }, groups_for(peak)));
+        }
+        let most = 128 + 64 * shop.width() as u32 - 2;
+        let sum = |bits: u32| Sum {
+            size: 4,
+            count: 1,
+            extent: Extent { peak: bits, reach: bits },
+            values: vec![Lanes::ZERO; 4],
+        };
+        for (bits, overflows) in [(100, false), (most - 1, false), (most, false), (most + 1, true)] {
+            let shop = Workshop::new(192, 24, (0, 1));
+            assert_eq!(shop.settle(sum(bits), 3, 128), Fixed::zero(3, shop.width()));
+            assert_eq!(shop.overflowed(), overflows, "{bits}");
         }
     }
 }

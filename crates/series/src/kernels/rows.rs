@@ -232,7 +232,12 @@ mod tests {
     /// Rows found block by block are those of the sum of all products, at every place.
     #[test]
     fn blocks_give_the_sum_of_all_products() {
-        let shop = Workshop::new(64, 40, (0, 1));
+        for bits in [64, 400] {
+            blocks_give_sums(&Workshop::new(bits, 40, (0, 1)));
+        }
+    }
+
+    fn blocks_give_sums(shop: &Workshop) {
         let (block, size, rows) = (4, 12, 23);
         let row = |k: usize, seed: i64| -> Fixed {
             let value =
@@ -245,7 +250,7 @@ mod tests {
         for n in 0..rows {
             let (t, r) = (n / block, n % block);
             if t > 0 {
-                sums.prepare(&shop, &a, &b, t);
+                sums.prepare(shop, &a, &b, t);
                 let zero = |values: Vec<Lanes>| Sum {
                     size,
                     count: shop.all_primes(),
@@ -253,7 +258,7 @@ mod tests {
                     values,
                 };
                 let mut found = zero(vec![Lanes::ZERO; size * shop.all_primes()]);
-                sums.add_row(&shop, &mut found, r, -3);
+                sums.add_row(shop, &mut found, r, -3);
                 // Pairs of two complete blocks.
                 let pairs = (0..=n).filter(|&k| k / block < t && (n - k) / block < t);
                 let terms: Vec<_> = pairs.map(|k| (-3, &all[k].0, &all[n - k].1)).collect();
@@ -268,8 +273,43 @@ mod tests {
             let transform = |row: &Fixed| shop.transform(row, size, shop.all_primes());
             let (x, y) = (transform(&row(n, 17)), transform(&row(n, 91)));
             all.push((x.clone(), y.clone()));
-            a.push(&shop, x);
-            b.push(&shop, y);
+            a.push(shop, x);
+            b.push(shop, y);
         }
+        // Blocks in any order are those of their own.
+        let mut found = |sums: &mut Convolution, t: usize| {
+            sums.prepare(shop, &a, &b, t);
+            let mut row = Sum {
+                size,
+                count: shop.all_primes(),
+                extent: Extent::default(),
+                values: vec![Lanes::ZERO; size * shop.all_primes()],
+            };
+            sums.add_row(shop, &mut row, 1, 5);
+            row.values
+        };
+        for t in [4, 2, 3, 1, 4] {
+            assert_eq!(found(&mut sums, t), found(&mut Convolution::default(), t), "block {t}");
+        }
+    }
+
+    #[test]
+    fn blocks_grow_with_the_rows_that_are_wanted() {
+        assert_eq!([0, 63, 64, 399, 400, 5000].map(block_for), [NEVER, NEVER, 16, 16, 32, 32]);
+    }
+
+    #[test]
+    fn extents_of_products_are_those_of_their_rows() {
+        let shop = Workshop::new(64, 40, (0, 1));
+        let mut rows = Rows::new(8);
+        for bits in [3, 40, 21] {
+            let row = Fixed::from_integers(&[Integer::from(1) << (bits - 1), Integer::from(1)], shop.width());
+            rows.push(&shop, shop.transform(&row, 4, 1));
+        }
+        let extent = |bits: u32| Extent { peak: bits, reach: bits };
+        // 8 has four bits, two terms one, and two to spare.
+        assert_eq!(rows.extent_of_product(0, 8, &rows, 2), extent(3 + 21 + 4 + 1 + 2));
+        assert_eq!(rows.extent_of_product(1, -1, &rows, 1), extent(40 + 40 + 1 + 1 + 2));
+        assert_eq!(rows.extent_of_any(8, &rows), extent(40 + 40 + 4 + 1 + 2));
     }
 }

@@ -271,4 +271,21 @@ mod tests {
             assert!(found.iter().all(|d| d.row < integers.len() && integers[d.row].is_divisible_u(PRIMES[d.place] as u32)));
         }
     }
+
+    /// Remainders that no prime of a group divides are not looked at again; primes of later groups and places are not named.
+    #[test]
+    fn only_what_divides_is_looked_at() {
+        let small = SmallPrimes::new(&PRIMES, 10);
+        for moduli in &small.moduli {
+            assert!(!moduli.any(Lanes::splat(1.0)) && moduli.any(Lanes::ZERO));
+            for (primes, _) in &moduli.slots {
+                for prime in primes.0.into_iter().filter(|prime| !prime.is_nan()) {
+                    assert!(moduli.any(Lanes::splat(-3.0 * prime)), "{prime}");
+                }
+            }
+        }
+        let last = *small.large.last().unwrap();
+        let multiple = [Integer::from(PRIMES[last])];
+        assert_eq!([last, last + 1].map(|count| small.large_divisors(&multiple, count).len()), [0, 1]);
+    }
 }

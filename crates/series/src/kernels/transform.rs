@@ -2,6 +2,7 @@
 
 use super::lanes::{Lanes, turn, vectorised};
 use super::prime::Primes;
+use std::ops::Range;
 
 /// Lanes that are transformed to the end at once, to stay in the first cache.
 const NEAR: usize = 256;
@@ -28,6 +29,13 @@ pub(crate) struct Roots {
 pub(crate) fn size_for(len: usize) -> usize {
     let power = len.next_power_of_two();
     if power >= 4 && power / 4 * 3 >= len { power / 4 * 3 } else { power }
+}
+
+/// The least length of a transform from which some coefficients of a product of so many terms can be read: what is folded over
+/// ends below the range.
+pub(crate) fn least_length(first: usize, second: usize, range: &Range<usize>) -> usize {
+    let whole = (first + second).max(2) - 1;
+    range.end.min(whole).max(whole - range.start.min(whole))
 }
 
 impl Roots {
@@ -309,6 +317,14 @@ mod tests {
                 assert_eq!(settled(&primes, &roots, &back), least, "{size} {pattern}");
             }
         }
+    }
+
+    /// A product of six and four terms has nine.
+    #[test]
+    fn transforms_are_as_long_as_a_range_needs() {
+        let length = |range: Range<usize>| least_length(6, 4, &range);
+        assert_eq!([0..9, 0..20, 0..3, 3..6, 4..8, 8..9, 12..15].map(length), [9, 9, 9, 6, 8, 9, 9]);
+        assert_eq!([(0, 0), (1, 1)].map(|(first, second)| least_length(first, second, &(0..1))), [1, 1]);
     }
 
     #[test]

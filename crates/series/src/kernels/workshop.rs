@@ -13,7 +13,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Pieces of memory that are kept to be used again.
 const MOST_KEPT: usize = 8;
 /// Operations on eight primes below which a second thread costs more than it brings.
-pub(super) const WORTH_SPLITTING: usize = 10_000;
+const WORTH_SPLITTING: usize = 10_000;
 /// Products of reduced residues, each below `0.8 p` with its weight, that are summed before the sum is reduced.
 const LAZY: usize = 8;
 /// Places that are summed together, to stay in the first cache.
@@ -182,16 +182,12 @@ impl Workshop {
 
     /// The residues of a series modulo the first `count` groups of primes, those of one coefficient side by side.
     pub(super) fn residues(&self, series: &Fixed, count: usize) -> Vec<Lanes> {
-        let words = series.all_words();
         let mut residues = self.memory(series.len() * count);
-        let reduce =
-            |(words, out): (&[u64], &mut [Lanes])| self.radix.residues(words, self.width, count, out);
-        if count * series.len() * (self.width + 10) > WORTH_SPLITTING {
-            let pieces = words.par_chunks(TOGETHER * self.width);
-            pieces.zip(residues.par_chunks_mut(TOGETHER * count)).for_each(reduce);
-        } else {
-            reduce((words, &mut residues));
-        }
+        let reduce = |(i, out): (usize, &mut [Lanes])| {
+            let words = &series.all_words()[i * TOGETHER * self.width..][..out.len() / count * self.width];
+            self.radix.residues(words, self.width, count, out);
+        };
+        for_each_piece(&mut residues, TOGETHER * count, self.effort(), reduce);
         residues
     }
 
@@ -203,11 +199,7 @@ impl Workshop {
         let mut values = vec![Lanes::ZERO; size * count];
         let fill =
             |(i, row): (usize, &mut [Lanes])| fill_and_transform(&roots[i], &residues, (i, count), row);
-        if count * size * (self.width + 10) > WORTH_SPLITTING {
-            values.par_chunks_mut(size).enumerate().for_each(fill);
-        } else {
-            values.chunks_mut(size).enumerate().for_each(fill);
-        }
+        for_each_piece(&mut values, size, self.effort(), fill);
         self.give_back(residues);
         Transformed { size, count, len: series.len(), extent: self.extent(series), values }
     }
@@ -262,17 +254,37 @@ impl Workshop {
     /// Adds products to values modulo the first groups of primes.
     pub(super) fn add_terms(&self, terms: &[Term], size: usize, values: &mut [Lanes]) {
         let fill = |(i, row): (usize, &mut [Lanes])| add_terms(&self.primes[i], terms, i * size, row);
-        if terms.len() * values.len() > WORTH_SPLITTING {
-            values.par_chunks_mut(size).enumerate().for_each(fill);
-        } else {
-            values.chunks_mut(size).enumerate().for_each(fill);
-        }
+        for_each_piece(values, size, terms.len(), fill);
+    }
+
+    /// Operations on each residue on the way from words to transforms, or back.
+    pub(super) fn effort(&self) -> usize {
+        self.width + 10
     }
 
     /// Groups of primes that suffice for a product of any two series of this precision.
     pub fn all_primes(&self) -> usize {
         self.primes.len()
     }
+}
+
+/// Does the same for one piece of so many values after the other, side by side where so many operations on each are worth it.
+pub(super) fn for_each_piece<T: Send>(
+    values: &mut [T],
+    piece: usize,
+    operations: usize,
+    work: impl Fn((usize, &mut [T])) + Sync + Send,
+) {
+    if is_costly(values.len(), operations) {
+        values.par_chunks_mut(piece.max(1)).enumerate().for_each(work);
+    } else {
+        values.chunks_mut(piece.max(1)).enumerate().for_each(work);
+    }
+}
+
+/// Whether so many operations on each of so many values are worth a second thread.
+pub(super) fn is_costly(values: usize, operations: usize) -> bool {
+    values * operations > WORTH_SPLITTING
 }
 
 /// Puts the residues modulo group `i` of `count`, which stand side by side, into a row, zeros behind, and transforms it.
@@ -340,5 +352,87 @@ vectorised! {
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rug::Integer;
+
+    fn extent(peak: u32, reach: u32) -> Extent {
+        Extent { peak, reach }
+    }
+
+    #[test]
+    fn extents_add_up() {
+        let (a, b) = (extent(10, 7), extent(3, 50));
+        assert_eq!((a.plus(4), a.times(b), a.or(b)), (extent(14, 11), extent(13, 57), extent(10, 50)));
+        assert_eq!([a, b].map(Extent::bits), [7, 3]);
+        // Bits of the weight, of the number of terms, and two to spare.
+        for (weight, first, second, bits) in
+            [(1, 1, 1, 3), (-1, 0, 5, 3), (8, 9, 4, 4 + 2 + 2), (i64::MIN, 3, 7, 64 + 1 + 2)]
+        {
+            assert_eq!(extent_of(weight, (first, a), (second, b)), extent(13 + bits, 57 + bits));
+        }
+    }
+
+    /// By three bits for every two terms, down to 40 bits above the last.
+    #[test]
+    fn coefficients_fall_as_expected_down_to_the_noise() {
+        let shop = Workshop::new(100, 0, (3, 2));
+        assert_eq!([0, 1, 2, 5, 39, 40, 41, 1000].map(|j| shop.fall(j)), [0, 1, 3, 7, 58, 60, 60, 60]);
+        let falling = [1u64 << 20, 1 << 19, 1 << 9].map(Integer::from);
+        let falling = Fixed::from_integers(&falling, shop.width());
+        assert_eq!(shop.extent(&falling), extent(21, 21));
+        assert_eq!(shop.transform(&falling, 4, 1).times(&shop, 5).extent, extent(24, 24));
+        assert_eq!(shop.transform(&falling, 4, 1).times(&shop, u32::MAX).extent, extent(53, 53));
+    }
+
+    /// A sum knows its extent, and has primes for it or says that it has not.
+    #[test]
+    fn sums_have_primes_for_their_extent_or_overflow() {
+        let shop = Workshop::new(300, 0, (0, 1));
+        let row = |bits: u32, count: usize| {
+            shop.transform(&Fixed::from_integers(&[Integer::from(1) << (bits - 1)], shop.width()), 4, count)
+        };
+        let small = row(100, 2);
+        for (terms, bits) in [(1, 203 + 2), (2, 203 + 3), (5, 203 + 4)] {
+            let mut sum = shop.sum(&vec![(1, &small, &small); terms]);
+            assert_eq!((sum.extent, sum.count), (extent(bits, bits), 1));
+            assert!(shop.add(&mut sum, &vec![(1, &small, &small); terms]).is_some());
+            assert_eq!(sum.extent, extent(bits + 1, bits + 1));
+        }
+        assert!(!shop.overflowed());
+        // 396 bits fit into eight primes.
+        let mut sum = shop.sum(&[(1, &small, &small)]);
+        shop.set_extent(&mut sum, extent(capacity(1), 1000));
+        assert!(!shop.overflowed());
+        let large = row(192, 1);
+        assert!(shop.add(&mut sum, &[(1, &large, &large)]).is_none());
+        shop.set_extent(&mut sum, extent(capacity(1) + 1, 1000));
+        assert!(shop.overflowed());
+        // Too few primes of a factor: one group, where two are needed.
+        let shop = Workshop::new(300, 0, (0, 1));
+        shop.sum(&[(1, &row(196, 2), &row(196, 2))]);
+        assert!(!shop.overflowed());
+        shop.sum(&[(1, &row(196, 2), &row(196, 1))]);
+        assert!(shop.overflowed());
+    }
+
+    #[test]
+    fn work_is_split_and_memory_is_kept_up_to_limits() {
+        assert_eq!(
+            [(100, 100), (101, 100), (100, 101), (1, 10_001)].map(|(n, each)| is_costly(n, each)),
+            [false, true, true, true]
+        );
+        let shop = Workshop::new(300, 0, (0, 1));
+        assert_eq!(shop.effort(), 15);
+        for _ in 0..MOST_KEPT + 3 {
+            shop.give_back(vec![Lanes::ONE; 5]);
+        }
+        assert_eq!(shop.used.lock().unwrap().len(), MOST_KEPT);
+        assert_eq!(shop.memory(7).len(), 7);
+        assert_eq!(shop.used.lock().unwrap().len(), MOST_KEPT - 1);
     }
 }

@@ -1,6 +1,6 @@
 //! Power series modulo eight primes at once.
 
-use crate::kernels::{Lanes, Primes, Roots, size_for, turn, vectorised};
+use crate::kernels::{Lanes, Primes, Roots, least_length, size_for, turn, vectorised};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -122,12 +122,6 @@ impl Residues {
     }
 }
 
-/// The least length of a transform from which some coefficients of a product can be read.
-fn least_length(first: usize, second: usize, range: &Range<usize>) -> usize {
-    let whole = first + second - 1;
-    range.end.min(whole).max(whole - range.start.min(whole))
-}
-
 vectorised! {
     fn add_product(primes: &'a Primes, sum: &'a mut [Lanes], weight: i64, a: &'a [Lanes], b: &'a [Lanes]) {
         let primes = *primes;
@@ -204,17 +198,5 @@ vectorised! {
                 inverses[c] = primes.mul(inverses[c], primes.integer(integers[c]));
             }
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// What is folded over ends below the range: a product of six and four terms has nine.
-    #[test]
-    fn transforms_are_as_long_as_a_range_needs() {
-        let length = |range: Range<usize>| least_length(6, 4, &range);
-        assert_eq!([0..9, 0..20, 0..3, 3..6, 4..8, 8..9, 12..15].map(length), [9, 9, 9, 6, 8, 9, 9]);
     }
 }
