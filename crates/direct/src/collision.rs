@@ -205,7 +205,7 @@ impl Collision {
         if self.is_without_rebound(&equation) {
             return Err(equation.overdamped());
         }
-        let mut stepper = Stepper::new(equation.wanted_slope());
+        let mut stepper = Stepper::new(equation.prec, equation.order);
         let rebounding = match impact_to_way_out(&equation, self.end) {
             Some(point) => {
                 stepper.start_with(0.15 * point.z.to_f64());

@@ -30,11 +30,6 @@ impl Equation {
         Self { prec, u: self.u.with_prec(prec), ..self.clone() }
     }
 
-    /// Bits a coefficient should lose from one degree to the next.
-    pub(crate) fn wanted_slope(&self) -> f64 {
-        f64::from(self.prec + 4) / self.order as f64
-    }
-
     /// An exact rational at working precision.
     pub(crate) fn rational(&self, value: &BigRational) -> Ball {
         Ball::from_rational(value, self.prec)

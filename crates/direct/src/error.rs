@@ -50,7 +50,7 @@ pub enum DirectError {
         /// The damping that was given, to a few digits.
         u: String,
     },
-    /// The steps that can be proved are too short to follow the motion: more precision does not lengthen them.
+    /// The steps that can be proved are too short to follow the motion.
     #[error(
         "the motion was not followed to its end in {steps} steps: give a less extreme u, or end the contact at zero force"
     )]

@@ -34,7 +34,7 @@ fn moved(point: &PhasePoint, part: f64) -> PhasePoint {
 
 /// The enclosure of `epsilon` that is found after an error.
 fn with_error(equation: &Equation, end: End, place: Place, part: f64) -> Result<Ball, DirectError> {
-    let mut stepper = Stepper::new(equation.wanted_slope());
+    let mut stepper = Stepper::new(equation.prec, equation.order);
     let at = |here: Place, point: PhasePoint| if here == place { moved(&point, part) } else { point };
     let compressed = at(Place::Inward, compress(equation, &mut stepper)?);
     let rebounding = at(Place::Outward, rebound(equation, &mut stepper, &compressed)?);

@@ -56,7 +56,7 @@ impl Saturation {
             });
         }
         let point = funnel(&equation, &start)?;
-        let mut stepper = Stepper::new(equation.wanted_slope());
+        let mut stepper = Stepper::new(equation.prec, equation.order);
         stepper.start_with(0.25);
         let exit_speed = to_zero_compression(&equation, &mut stepper, point)?;
         Ok(Self {

@@ -1,8 +1,11 @@
 use crate::error::DirectError;
 use rug::Float;
 
-/// Attempts that one collision may take before it is given up.
+/// Attempts that one collision may take at `FULL_PRECISION` and more bits before it is given up.
 const ATTEMPTS: u32 = 20_000;
+/// Bits below which more attempts are allowed, in inverse proportion: along a slow manifold steps are as many times shorter,
+/// and cheaper, so that the same motions are followed to their ends at any digits.
+const FULL_PRECISION: u32 = 256;
 /// Halvings of one step before it is given up.
 const HALVINGS: u32 = 200;
 
@@ -13,13 +16,18 @@ const HALVINGS: u32 = 200;
 /// long.
 pub(crate) struct Stepper {
     length: f64,
+    /// Bits a coefficient should lose from one degree to the next.
     wanted: f64,
     attempts: u32,
+    allowed: u32,
 }
 
 impl Stepper {
-    pub(crate) fn new(wanted: f64) -> Self {
-        Self { length: 0.0, wanted, attempts: 0 }
+    /// For Taylor polynomials of degree `order` at `prec` bits.
+    pub(crate) fn new(prec: u32, order: usize) -> Self {
+        let wanted = f64::from(prec + 4) / order as f64;
+        let allowed = ATTEMPTS * FULL_PRECISION / prec.clamp(1, FULL_PRECISION);
+        Self { length: 0.0, wanted, attempts: 0, allowed }
     }
 
     /// Sets the length to try first on a new stretch.
@@ -40,8 +48,8 @@ impl Stepper {
     ) -> Result<T, DirectError> {
         for _ in 0..HALVINGS {
             self.attempts += 1;
-            if self.attempts > ATTEMPTS {
-                return Err(DirectError::Stiff { steps: ATTEMPTS });
+            if self.attempts > self.allowed {
+                return Err(DirectError::Stiff { steps: self.allowed });
             }
             let length = self.length.min(limit);
             if !length.is_normal() {
@@ -74,24 +82,26 @@ mod tests {
 
     #[test]
     fn a_motion_is_given_up_after_so_many_attempts() {
-        let mut stepper = Stepper::new(1.0);
-        stepper.start_with(1.0);
-        let mut failed = false;
-        // Every other attempt fails, and shortens the step that the next one lengthens again.
-        let mut attempt = |_: f64| {
-            failed = !failed;
-            (!failed).then_some(((), 2.25))
-        };
-        for _ in 0..ATTEMPTS / 2 {
-            stepper.step(f64::INFINITY, &mut attempt).unwrap();
+        for (prec, attempts) in [(1000, 20_000), (256, 20_000), (128, 40_000), (64, 80_000)] {
+            let mut stepper = Stepper::new(prec, prec as usize + 4);
+            stepper.start_with(1.0);
+            let mut failed = false;
+            // Every other attempt fails, and shortens the step that the next one lengthens again.
+            let mut attempt = |_: f64| {
+                failed = !failed;
+                (!failed).then_some(((), 2.25))
+            };
+            for _ in 0..attempts / 2 {
+                stepper.step(f64::INFINITY, &mut attempt).unwrap();
+            }
+            let last = stepper.step(f64::INFINITY, &mut attempt);
+            assert_eq!(last, Err(DirectError::Stiff { steps: attempts }));
         }
-        let last = stepper.step(f64::INFINITY, &mut attempt);
-        assert!(matches!(last, Err(DirectError::Stiff { steps: ATTEMPTS })), "{last:?}");
     }
 
     #[test]
     fn a_step_that_always_fails_vanishes() {
-        let (mut stepper, mut lengths) = (Stepper::new(1.0), Vec::new());
+        let (mut stepper, mut lengths) = (Stepper::new(64, 68), Vec::new());
         stepper.start_with(4.0);
         let none = stepper.step(2.0, |length| {
             lengths.push(length);

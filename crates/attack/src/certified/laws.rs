@@ -113,7 +113,7 @@ pub fn damping(random: &mut Source) -> BigRational {
 }
 
 /// The largest damping that a law is asked for, by its exponent `p` of the velocity: beyond, where `epsilon ~ u^(-1/p)` is
-/// far below what anybody measures, a request takes minutes or, at more digits, 20,000 steps.
+/// far below what anybody measures, a request takes minutes or more steps than are allowed.
 fn largest_damping(law: &ForceLaw) -> BigRational {
     let p = law.velocity_exponent();
     if p >= ratio(1, 5) {

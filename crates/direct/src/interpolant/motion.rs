@@ -88,7 +88,7 @@ impl Motion {
 
     /// A stepper with a length for the first step.
     pub(crate) fn stepper(&self) -> Stepper {
-        let mut stepper = Stepper::new(f64::from(self.prec + 4) / self.flow.order as f64);
+        let mut stepper = Stepper::new(self.prec, self.flow.order);
         let (b, q) = (ratio(&self.coordinate.damping), ratio(&self.coordinate.q));
         let reach = (b / (self.u.high.to_f64() * q).max(1e-300)).powf(1.0 / b).min(1.0);
         stepper.start_with(0.25 * reach * q);
