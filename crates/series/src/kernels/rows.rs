@@ -277,7 +277,7 @@ mod tests {
             b.push(shop, y);
         }
         // Blocks in any order are those of their own.
-        let mut found = |sums: &mut Convolution, t: usize| {
+        let found = |sums: &mut Convolution, t: usize| {
             sums.prepare(shop, &a, &b, t);
             let mut row = Sum {
                 size,
