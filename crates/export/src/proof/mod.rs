@@ -5,6 +5,8 @@
 //! bounds of errors every operation adds half a unit of its largest result. docs/evaluator.md has the parts.
 
 mod cover;
+#[cfg(test)]
+mod figures;
 mod polynomial;
 mod rounded;
 mod tiers;

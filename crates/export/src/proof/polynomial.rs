@@ -116,4 +116,30 @@ mod tests {
         assert!(constant < 1e-50 && (1.0..1.0 + 1e-15).contains(&largest), "{constant} {largest}");
         assert_eq!(x.of(-3.0).plus(&x).size(), (3.0, 4.0));
     }
+
+    /// Sums, products, compositions and multiples have the values of their parts.
+    #[test]
+    fn operations_are_those_of_their_values() {
+        let of = |numbers: &[i64]| Polynomial(numbers.iter().map(|&c| Ball::from_integer(c, PREC)).collect());
+        let value = |p: &Polynomial, x: i64| {
+            let x = Ball::from_integer(x, PREC);
+            p.0.iter().rev().fold(Ball::from_integer(0, PREC), |sum, c| sum * &x + c).mid().to_f64()
+        };
+        let (p, q, none) = (of(&[3, -1, 0, 2]), of(&[-5, 4]), of(&[]));
+        for x in [-3, -1, 0, 1, 2] {
+            let (a, b) = (value(&p, x), value(&q, x));
+            assert_eq!(value(&p.plus(&q), x), a + b);
+            assert_eq!(value(&q.plus(&p), x), a + b);
+            assert_eq!(value(&(p.clone() * q.clone()), x), a * b);
+            assert_eq!(value(&(p.clone() * none.clone()), x), 0.0);
+            assert_eq!(value(&p.scaled(&Ball::from_integer(-7, PREC)), x), -7.0 * a);
+            assert_eq!(value(&p.clone().negated(), x), -a);
+            assert_eq!(value(&p.clone().multiply_add(q.clone(), q.clone()), x), a * b + b);
+            assert_eq!(value(&Polynomial::composed(&p.0, &q), x), value(&p, b as i64));
+        }
+        // 3 - x + 2 x^3 = 3 T_0 + x/2 T_1 + T_3/2.
+        let chebyshev: Vec<f64> = p.chebyshev().iter().map(|c| c.mid().to_f64()).collect();
+        assert_eq!(chebyshev, [3.0, 0.5, 0.0, 0.5, 0.0]);
+        assert_eq!((p.size(), none.size()), ((3.0, 4.0), (0.0, 0.0)));
+    }
 }
