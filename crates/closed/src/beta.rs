@@ -81,12 +81,17 @@ impl Terms for BetaTerms {
 impl BetaTerms {
     fn beta(&self, bits: u32) -> Ball {
         let (p, q) = (self.p, self.q);
-        let count = if p == q { 1 } else { (u64::from(bits) + 16) * 1000 / self.millibits_per_term() + 2 };
+        let count = if p == q { 1 } else { self.count(bits) };
         let sum = sum(self, count, bits);
         let sum = if p == q { sum } else { sum.widened(&self.tail(count)) };
         let factor = |n: i64| Ball::from_integer(n, bits);
         let above = Ball::from_big_integer(&(Integer::from(2 * q) * q), bits);
         sum * above / (factor(p) * factor(p + q)) / (factor(p + 2 * q) * factor(2 * p + q))
+    }
+
+    /// Terms that leave out `2^-bits` of the first, but for what the weight grows by.
+    fn count(&self, bits: u32) -> u64 {
+        (u64::from(bits) + 16) * 1000 / self.millibits_per_term() + 2
     }
 
     /// An upper bound of what the terms from `count` on add up to.
@@ -114,7 +119,97 @@ fn shift(p: i64, q: i64, steps: i64, bits: u32) -> Ball {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use rug::Rational;
+
+    fn fraction(p: i64, q: i64) -> Rational {
+        Rational::from((p, q))
+    }
+
+    /// By MPFR's Gamma function; the digits asked for are there.
+    #[test]
+    fn values_are_those_of_the_gamma_function() {
+        for (p, q) in [
+            (1, 2),
+            (1, 1),
+            (3, 1),
+            (40, 1),
+            (2, 5),
+            (1, 100_000_000),
+            (99_999_999, 100_000_000),
+            (100_000_000, 1_234_567),
+            (237, 7),
+            (1000, 3),
+        ] {
+            for bits in [64, 300, 1500] {
+                let found = beta(Ratio::new(p, q), bits);
+                let s = Float::with_val(bits + 64, fraction(p, q));
+                let above = Float::with_val(bits + 64, &s + 1.5f64);
+                let expected = (Float::with_val(bits + 64, 1.5f64).gamma() * s.gamma()) / above.gamma();
+                let error = Float::with_val(bits + 64, found.mid() - &expected).abs();
+                // MPFR's own roundings: that of s is enlarged by the logarithm of the Gamma function.
+                let allowed =
+                    Float::with_val(64, found.rad()) + Float::with_val(64, &expected >> (bits + 40));
+                assert!(error <= allowed, "{p}/{q} {bits}");
+                assert!(*found.rad() <= Float::with_val(64, &expected >> (bits - 3)), "{p}/{q} {bits}");
+            }
+        }
+    }
+
+    /// Quotients and weights from their formulas, times what makes them integers.
+    #[test]
+    fn terms_are_those_of_the_series() {
+        for (p, q) in [(1, 2), (2, 5), (7, 7), (3, 1000)] {
+            let (terms, s) = (BetaTerms { p, q }, fraction(p, q));
+            let square = fraction(q * q, 1);
+            for i in [1i64, 2, 3, 50] {
+                let plus = |n: i64, d: i64| &s + fraction(n, d);
+                let above = plus(i - 1, 1) * plus(2 * i - 1, 2) * (fraction(i, 1) - &s);
+                let below = plus(3 * i, 1) * plus(3 * i + 1, 1) * plus(3 * i + 2, 1);
+                let quotient = Rational::from((terms.numerator(i), terms.denominator(i)));
+                assert_eq!(quotient, -(above / below));
+                let weight = fraction(7 * i * i, 1)
+                    + (Rational::from(&s * 7) + 6) * i
+                    + plus(1, 1) * (Rational::from(&s * 2) + 1);
+                assert_eq!(Rational::from(terms.weight(i)), weight * &square);
+            }
+        }
+    }
+
+    /// What is left out is in the tail, which is what its formula says.
+    #[test]
+    fn tails_are_above_what_is_left_out() {
+        for (p, q) in [(1, 2), (2, 5), (3, 5), (1, 1000), (999, 1000)] {
+            let terms = BetaTerms { p, q };
+            let all = sum(&terms, 90, 600);
+            for count in [1u64, 2, 3, 7, 20, 60] {
+                let left = (&all - sum(&terms, count, 600)).abs_down();
+                let tail = terms.tail(count);
+                assert!(left <= tail, "{p}/{q} {count}");
+                let formula = (Float::with_val(64, terms.weight(count as i64)) * 1.5f64)
+                    >> (count * 4754 / 1000) as u32;
+                assert_eq!(tail, formula);
+            }
+            // Beside the first term; the guard covers what the weight has grown to.
+            for (bits, count) in [(50, 15), (100, 26), (3000, 636)] {
+                assert_eq!(terms.count(bits), count);
+                assert!(terms.tail(count) <= Float::with_val(64, terms.weight(0)) >> (bits - 8), "{bits}");
+            }
+        }
+    }
+
+    /// `prod (s+i)/(s+i+3/2)`, also where products are halved.
+    #[test]
+    fn shifts_are_products() {
+        for (p, q, steps) in [(1, 2, 0), (2, 3, 1), (2, 3, 8), (1, 7, 9), (5, 9, 40)] {
+            let factor = |i: i64| fraction(2 * (p + q * i), 2 * p + 2 * q * i + 3 * q);
+            let exact = (0..steps).map(factor).fold(fraction(1, 1), |product, factor| product * factor);
+            let found = shift(p, q, steps, 200);
+            assert!(
+                found.overlaps(&Ball::from_rational(&restitution_real::convert::big_rational(&exact), 300))
+            );
+        }
+    }
 
     /// `Z (4n+1)(4n+3)/2` of `docs/closed-forms.md`, section 6.
     fn certificate(n: &Rational, k: &Rational, s: &Rational) -> Rational {

@@ -109,6 +109,11 @@ struct Suffix {
 impl Series {
     /// The integrals of `exponents[i..]` for every `i`.
     fn values(self, exponents: &[Ratio<i64>], prec: u32) -> Result<Vec<Ball>, ClosedError> {
+        Ok(self.values_of(exponents, self.terms(exponents, prec)?, prec))
+    }
+
+    /// The same from so many terms.
+    fn values_of(self, exponents: &[Ratio<i64>], terms: u64, prec: u32) -> Vec<Ball> {
         let mut suffixes: Vec<Suffix> = Vec::new();
         for i in (0..exponents.len()).rev() {
             let sigma: Ratio<i64> = exponents[i..].iter().sum();
@@ -124,7 +129,6 @@ impl Series {
                 sum: zero,
             });
         }
-        let terms = self.terms(exponents, prec)?;
         for n in 0..terms {
             // The empty integral is 1.
             let mut before = Ball::from_integer(i64::from(n == 0), prec);
@@ -141,7 +145,7 @@ impl Series {
             let sum = suffix.sum.clone().widened(&self.tail(suffix, letters, terms));
             self.scaled(sum, suffix, prec)
         };
-        Ok(suffixes.iter().enumerate().rev().map(value).collect())
+        suffixes.iter().enumerate().rev().map(value).collect()
     }
 
     /// The coefficient `n` of a suffix; `before` is that of the suffix without its first letter, `before_previous` the one before.
@@ -228,5 +232,121 @@ impl Series {
             halves.denom().to_i64().unwrap_or(i64::MAX),
         );
         sum * crate::root::rational_power(&BigRational::from_integer(2.into()), exponent, prec)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::beta;
+
+    fn ratios(exponents: &[(i64, i64)]) -> Vec<Ratio<i64>> {
+        exponents.iter().map(|&(p, q)| Ratio::new(p, q)).collect()
+    }
+
+    /// The integral of polynomials, exactly: coefficients of `int (1-v^2)^(p-1) v^2 f(v) dv` from -1, from the last letter on.
+    fn of_integers(exponents: &[i64]) -> BigRational {
+        let ratio = |n: i64, d: i64| BigRational::new(n.into(), d.into());
+        let mut f = vec![ratio(1, 1)];
+        for &p in exponents.iter().rev() {
+            let times = |f: &[BigRational], g: &[i64]| {
+                let mut out = vec![ratio(0, 1); f.len() + g.len()];
+                for (i, a) in f.iter().enumerate() {
+                    for (j, &b) in g.iter().enumerate() {
+                        out[i + j] += a * ratio(b, 1);
+                    }
+                }
+                out
+            };
+            f = (1..p).fold(times(&f, &[0, 0, 1]), |f, _| times(&f, &[1, 0, -1]));
+            let mut integral = vec![ratio(0, 1)];
+            integral.extend(f.iter().enumerate().map(|(k, c)| c / ratio(k as i64 + 1, 1)));
+            let signs = integral.iter().enumerate().map(|(k, c)| if k % 2 == 0 { c.clone() } else { -c });
+            let at_start = signs.fold(ratio(0, 1), |sum, c| sum + c);
+            integral[0] -= at_start;
+            f = integral;
+        }
+        f.into_iter().fold(ratio(0, 1), |sum, c| sum + c)
+    }
+
+    #[test]
+    fn integrals_of_polynomials_are_fractions() {
+        for exponents in [&[1][..], &[3], &[1, 1], &[1, 2], &[5, 2], &[1, 2, 3], &[3, 1, 2], &[2, 2, 5, 1]] {
+            let exact = of_integers(exponents);
+            let letters: Vec<_> = exponents.iter().map(|&p| Ratio::from_integer(p)).collect();
+            let found = iterated_beta(&letters, 150).unwrap();
+            assert!(found.overlaps(&Ball::from_rational(&exact, 300)), "{exponents:?}");
+            assert!(found.to_digits(42).is_some(), "{exponents:?}: {found:?}");
+        }
+    }
+
+    /// Products of integrals are sums of integrals of their letters in all orders.
+    #[test]
+    fn shuffles_are_products() {
+        let bits = 200;
+        let of = |exponents: &[(i64, i64)]| iterated_beta(&ratios(exponents), bits).unwrap();
+        let (a, b, c) = ((3, 5), (7, 4), (1, 9));
+        assert!(of(&[a]).overlaps(&beta(Ratio::new(3, 5), bits)));
+        let pair = of(&[a, b]) + of(&[b, a]);
+        assert!(pair.overlaps(&(of(&[a]) * of(&[b]))));
+        let three = of(&[a, b, c]) + of(&[a, c, b]) + of(&[c, a, b]);
+        assert!(three.overlaps(&(of(&[a, b]) * of(&[c]))));
+        assert!(pair.to_digits(56).is_some() && three.to_digits(56).is_some());
+    }
+
+    /// Few terms with what they leave out hold the value.
+    #[test]
+    fn tails_are_above_what_is_left_out() {
+        for letters in [ratios(&[(3, 5)]), ratios(&[(1, 9), (7, 4)]), ratios(&[(2, 1), (1, 2), (3, 7)])] {
+            for series in [Series::Outer, Series::Inner] {
+                let full = series.values(&letters, 300).unwrap();
+                for terms in [24, 40, 100] {
+                    let few = series.values_of(&letters, terms, 300);
+                    for (few, full) in few.iter().zip(&full) {
+                        let left = (few.mid().clone() - full.mid()).abs();
+                        assert!(
+                            left <= *few.rad() && few.rad() < &Float::with_val(64, 1e-3),
+                            "{letters:?} {terms}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn tails_and_numbers_of_terms_are_those_of_their_formulas() {
+        let letters = ratios(&[(1, 9), (7, 4)]);
+        let zero = || Ball::from_integer(0, 64);
+        let suffix =
+            Suffix { odd: false, length: 2, numerator: 67, denominator: 36, latest: zero(), sum: zero() };
+        let close = |found: Float, expected: f64| {
+            let quotient = found.to_f64() / (expected * 1.000_001);
+            assert!((quotient - 1.0).abs() < 1e-12, "{quotient}");
+        };
+        let power = 2f64.powi(-100);
+        close(Series::Outer.tail(&suffix, &letters, 100), 100.0 * power * 0.7072 * 9.0 * 0.7072 * 4.0 / 7.0);
+        let growth = 206f64.powf(67.0 / 36.0);
+        close(Series::Inner.tail(&suffix, &letters, 100), 6.0 * growth * power * 4.5 * 2.0 / 7.0);
+        // 300 bits, 4 for the small exponent, 32 to spare and the logarithm 8 + 9; inside sigma of it.
+        let terms = [Series::Outer, Series::Inner].map(|series| series.terms(&letters, 300).unwrap());
+        assert_eq!(terms, [300 + 4 + 32 + 17, 300 + 4 + 32 + 17 + 34]);
+        // Where sigma is large: 4 sigma at least, and no more terms than anybody sums.
+        assert!(matches!(
+            Series::Inner.terms(&ratios(&[(6_000_000, 1)]), 64),
+            Err(ClosedError::TooManyTerms { .. })
+        ));
+        for exponents in [ratios(&[(1, 1000)]), ratios(&[(50, 1), (80, 3)]), ratios(&[(1, 3); 6])] {
+            let sigma: Ratio<i64> = exponents.iter().sum();
+            let (numerator, denominator) = (*sigma.numer(), *sigma.denom());
+            let length = exponents.len() as i64;
+            let suffix =
+                Suffix { odd: length % 2 == 1, length, numerator, denominator, latest: zero(), sum: zero() };
+            for series in [Series::Outer, Series::Inner] {
+                let terms = series.terms(&exponents, 200).unwrap();
+                let most = Float::with_val(64, 1u32) >> 200u32;
+                assert!(series.tail(&suffix, &exponents, terms) < most, "{exponents:?}");
+            }
+        }
     }
 }

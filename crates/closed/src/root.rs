@@ -12,7 +12,7 @@ use rug::ops::Pow;
 ///
 /// # Error bound
 ///
-/// The radius. The last step is its own proof: exactly, `x^(-1/q) = z (1-r)^(-1/q)`, and for `|r| <= 1/2`,
+/// The radius. The last step is its own proof: exactly, `x^(-1/q) = z (1-r)^(-1/q)`, and for `|r| <= 1/2`, `q >= 2`,
 /// `|(1-r)^(-1/q) - 1 - r/q| <= r^2`, because `(1-r)^(-1/q)` has the coefficients `(1/q)_k/k! <= 1/q` and their
 /// sum from `k = 2` on is at most `r^2/(q (1-|r|))`. Cost: `O(M(bits) log q)`.
 ///
@@ -63,4 +63,62 @@ fn newton_step(x: &BigRational, q: i64, z: &Float, prec: u32) -> Ball {
     let error = (&z * &size * &size).abs_up();
     let step = &residual / Ball::from_integer(q, 64);
     (&z + &z * step).widened(&error)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ratio(p: i64, q: i64) -> BigRational {
+        BigRational::new(p.into(), q.into())
+    }
+
+    /// By MPFR, with the bits asked for.
+    #[test]
+    fn powers_are_those_of_mpfr() {
+        for (x, p, q) in [
+            (ratio(2, 1), 1, 2),
+            (ratio(2, 1), -3, 5),
+            (ratio(7, 1_000_000), 5, 1),
+            (ratio(123_456_789, 2), 17, 12),
+            (ratio(1, 3), 1, 9973),
+            (ratio(3, 2), -1001, 7),
+        ] {
+            for bits in [64, 130, 2000] {
+                let found = rational_power(&x, Ratio::new(p, q), bits);
+                let wide = bits + 100;
+                let base = Ball::from_rational(&x, wide).mid().clone();
+                let expected = base.pow(Float::with_val(wide, p) / q);
+                let error = Float::with_val(wide, found.mid() - &expected).abs();
+                let slack = Float::with_val(64, &expected >> (bits + 60));
+                assert!(error <= Float::with_val(64, found.rad() + &slack), "{x} {p}/{q} {bits}");
+                assert!(*found.rad() <= Float::with_val(64, &expected >> (bits - 2)), "{x} {p}/{q} {bits}");
+            }
+        }
+    }
+
+    /// From places that are off by a known part; what is proved is at most twice the square of the residual.
+    #[test]
+    fn a_step_proves_its_result_or_nothing() {
+        for (x, q) in [(2i64, 2i64), (2, 9), (10, 3), (5, 4)] {
+            let x = ratio(x, 1);
+            let root = Ball::from_rational(&x, 400).mid().clone().pow(-(Float::with_val(400, 1) / q));
+            for off in [0.0f64, 1e-30, -1e-30, 1e-3, -1e-3, 0.04, -0.04, 0.25, -0.25] {
+                let start = Float::with_val(200, &root * (1.0 + off));
+                let residual = (1.0 - (1.0 + off).powi(q as i32)).abs();
+                let found = newton_step(&x, q, &start, 200);
+                if residual > 0.501 {
+                    assert!(!found.is_finite(), "{x} {q} {off}");
+                    continue;
+                }
+                assert!(found.is_finite());
+                let error = Float::with_val(400, found.mid() - &root).abs();
+                assert!(error <= *found.rad(), "{x} {q} {off}: {found:?}");
+                let most = root.to_f64() * residual * residual * 1.3 + 1e-55;
+                assert!(found.rad().to_f64() <= most, "{x} {q} {off}: {} {most}", found.rad().to_f64());
+                let least = root.to_f64() * residual * residual * 0.7;
+                assert!(found.rad().to_f64() >= least, "{x} {q} {off}");
+            }
+        }
+    }
 }

@@ -113,9 +113,14 @@ impl Group {
         if self.pieces.is_empty() {
             return Ok(near(interpolant, self.low, self.high, self.end));
         }
-        let (low, high) = (self.low * (1.0 - MARGIN), self.high * (1.0 + MARGIN));
+        let (low, high) = self.reach();
         let proofs = self.pieces.iter().map(|form| piece(interpolant, form, low, high, self.end));
         Ok(proofs.fold(Proof::NONE, Proof::and))
+    }
+
+    /// From where to where its pieces are asked.
+    pub(super) fn reach(&self) -> (f64, f64) {
+        (self.low * (1.0 - MARGIN), self.high * (1.0 + MARGIN))
     }
 
     pub(super) fn end(&self) -> End {
@@ -133,17 +138,55 @@ impl Group {
             End::ZeroCompression => Variable::Damping,
             End::ZeroForce => Variable::Root,
         };
-        let small = -self.high.log2().min(0.0);
-        let prec = PREC + (BITS * small) as u32;
+        let prec = precision(self.high);
         let collision = collision(self.end)?;
         let least = if self.pieces.is_empty() { self.low } else { epsilon(self.high, self.end) };
         let find = |degree| collision.interpolant(&exact(from), &exact(to), variable, degree, prec);
         let mut own = find(DEGREES[0])?;
         for degree in &DEGREES[1..] {
-            if own.remainder().to_f64() > SMALL * least {
+            if counts(own.remainder().to_f64(), least) {
                 own = find(*degree)?;
             }
         }
         Ok(self.known.get_or_init(|| own))
+    }
+}
+
+/// Bits for an interval up to `high`.
+fn precision(high: f64) -> u32 {
+    PREC + (BITS * (1.0 / high).log2().max(0.0)) as u32
+}
+
+/// Whether a remainder counts beside the least value of an interval.
+fn counts(remainder: f64, least: f64) -> bool {
+    remainder > SMALL * least
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn groups_reach_as_far_as_their_pieces() {
+        for end in [End::ZeroCompression, End::ZeroForce] {
+            for group in groups(end).into_iter().filter(|group| !group.pieces.is_empty()) {
+                let (low, high) = group.reach();
+                assert_eq!((low, high), (group.low * (1.0 - 2e-7), group.high * (1.0 + 2e-7)));
+                for form in &group.pieces {
+                    let margin = super::super::margin(form);
+                    assert!(form.low <= near_end(end) || low <= form.low - margin, "{}", group.low);
+                    assert!(high >= form.high + margin, "{}", group.high);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn interpolants_have_bits_for_small_dampings() {
+        assert_eq!([1e-5, 0.25, 1.0, 300.0].map(precision), [119, 102, 100, 100]);
+        assert_eq!(
+            [(2e-18, 1.0), (2.1e-18, 1.0), (1.1e-20, 0.005)].map(|(r, least)| counts(r, least)),
+            [false, true, true]
+        );
     }
 }

@@ -103,6 +103,8 @@ fn of_the_pieces_from_8_on() {
 #[test]
 fn of_tiers() {
     let (compression, force) = (at(End::ZeroCompression, 1.2), at(End::ZeroForce, 0.02));
+    // A tier has no row at the other end of contact.
+    assert_eq!(compression.prove_tier(&tiers::ZERO_FORCE_1E6).unwrap(), 0.0);
     for (found, figure) in [
         (compression.prove_tier(&tiers::ZERO_COMPRESSION_1E3).unwrap(), 0.00048278029904339295),
         (compression.prove_tier(&tiers::ZERO_COMPRESSION_1E9).unwrap(), 4.568330160354181e-13),
@@ -152,4 +154,34 @@ fn what_a_place_and_a_distance_are_off_by() {
         mixed.and(other),
         Proof { epsilon: b, one_minus_epsilon: b, of_velocity: b, approximation: b }
     );
+}
+
+#[test]
+fn pieces_answer_for_arguments_that_may_be_taken_for_theirs() {
+    let form = forms::table(End::ZeroForce).find(|form| form.high > 1.2).unwrap();
+    let off = margin(&form);
+    for (low, high, own) in [
+        (form.high, 9.0, true),
+        (form.high + off / 2.0, 9.0, true),
+        (form.high + off, 9.0, false),
+        (0.0, form.low, false),
+        (0.0, form.low.next_up(), true),
+    ] {
+        assert_eq!(meets(&form, low, high), own, "{low} {high}");
+    }
+    for (end, near) in [(End::ZeroCompression, 0.03125), (End::ZeroForce, 0.0625)] {
+        let form = forms::table(end).find(|form| form.high > near).unwrap();
+        let to = |u: f64| Rounded::new(-1.0, u - form.centre, 0.0);
+        let given = [near * 0.9, near * 0.999, near, near * 1.1].map(|u| gives_loss(&form, to(u), end));
+        assert_eq!(given, [false, false, true, true], "{end:?}");
+    }
+}
+
+#[test]
+fn the_power_law_is_compared_from_before_its_first_piece() {
+    for form in forms::table(End::ZeroCompression).filter(|form| form.low >= SATURATED) {
+        assert!(saturated_from() < form.low - margin(&form), "{}", form.low);
+    }
+    assert!(saturated_from() > SATURATED * 0.999_999 && saturated_from() < SATURATED);
+    assert_eq!(missed_beyond(3e-9, 1e-9, 2.0), 4e-9 / 32.0 * (1.0 + 1e-14));
 }

@@ -176,12 +176,17 @@ fn piece(interpolant: &Interpolant, form: &Form, low: f64, high: f64, end: End) 
         proof.epsilon = proof.epsilon.or(kept.units(missed), at);
         proof.of_velocity = proof.of_velocity.or(of_velocity(form, t, high, missed, end), at);
         proof.approximation = proof.approximation.or((missed - constant) / kept.low, at);
-        if form.centre + t.high >= forms::near_end(end) {
+        if gives_loss(form, t, end) {
             let lost: Rounded = form.one_minus_epsilon(t);
             proof.one_minus_epsilon = proof.one_minus_epsilon.or(lost.units(missed_by_loss), at);
         }
     }
     proof
+}
+
+/// Whether a piece gives `1 - epsilon` as well at some of these distances from its centre: below, the form near 0 does.
+fn gives_loss(form: &Form, t: Rounded, end: End) -> bool {
+    form.centre + t.high >= forms::near_end(end)
 }
 
 /// A bound of `epsilon` from a velocity, in units, of a part of a piece whose `u` is at most `high`.
@@ -215,8 +220,7 @@ fn parts(
 /// A [`DirectError`] if the integrator cannot prove the two values.
 pub fn saturated() -> Result<Proof, DirectError> {
     let exit_speed = saturation_speed(&ForceLaw::viscoelastic_spheres(), DIGITS)?;
-    let from = SATURATED * (1.0 - f64::from(f32::EPSILON)); // a piece may start a rounding before
-    let u = Ball::from_f64(from, PREC);
+    let u = Ball::from_f64(saturated_from(), PREC);
     let reached = collision(End::ZeroCompression)?.enclose(&u, PREC)? * u.powi(5);
     let departure = (Ball::from_integer(1, PREC) - reached / &exit_speed).upper().to_f64();
     let mut proof = Proof::NONE;
@@ -232,7 +236,7 @@ pub fn saturated() -> Result<Proof, DirectError> {
         let ours: Polynomial = form.epsilon(t.clone());
         let (constant, all) = (ours * power).plus(&Polynomial::ball(-&exit_speed)).size();
         for (at, t) in parts(low, high, form.centre, |_| 0.0) {
-            let missed = (all + limit * departure) / at.powi(5) * (1.0 + 1e-14);
+            let missed = missed_beyond(all, limit * departure, at);
             let (kept, lost): (Rounded, Rounded) = (form.epsilon(t), form.one_minus_epsilon(t));
             proof.epsilon = proof.epsilon.or(kept.units(missed), at);
             proof.one_minus_epsilon = proof.one_minus_epsilon.or(lost.units(missed), at);
@@ -242,6 +246,16 @@ pub fn saturated() -> Result<Proof, DirectError> {
         }
     }
     Ok(proof)
+}
+
+/// A little before the power law is compared: a piece may start a rounding before.
+fn saturated_from() -> f64 {
+    SATURATED * (1.0 - f64::from(f32::EPSILON))
+}
+
+/// What `epsilon` is missed by from `u` on if `epsilon u^5` is: by the form, and by its limit.
+fn missed_beyond(by_form: f64, by_limit: f64, u: f64) -> f64 {
+    (by_form + by_limit) / u.powi(5) * (1.0 + 1e-14)
 }
 
 /// Proves the form near 0 from `low` to `high`.
@@ -258,8 +272,13 @@ fn near(interpolant: &Interpolant, low: f64, high: f64, end: End) -> Proof {
         let lost: Rounded = forms::near(root, Rounded::new(from, to, 0.0), end);
         proof.one_minus_epsilon = proof.one_minus_epsilon.or(lost.units(missed), at(part));
     }
-    let own = forms::table(end).filter(|form| form.low < high && low < form.high + margin(form));
+    let own = forms::table(end).filter(|form| meets(form, low, high));
     own.fold(proof, |proof, form| proof.and(piece(interpolant, &form, low, high, end)))
+}
+
+/// Whether arguments from `low` to `high` may be taken for those of a piece.
+fn meets(form: &Form, low: f64, high: f64) -> bool {
+    form.low < high && low < form.high + margin(form)
 }
 
 fn collision(end: End) -> Result<Collision, DirectError> {

@@ -22,10 +22,8 @@ impl Group {
     ) -> Result<f64, DirectError> {
         let own: Vec<_> = (0..ROWS)
             .map(|row| {
-                // A place that is rounded may belong to the row beside.
-                let (low, high) = tier.ends(row);
-                let margin = half_unit(high + tier.shift());
-                (row, (low - margin).max(self.low()), (high + margin).min(self.high()).min(tier.far()))
+                let (low, high) = reach(tier.ends(row), tier.shift());
+                (row, low.max(self.low()), high.min(self.high()).min(tier.far()))
             })
             .filter(|(_, low, high)| low < high)
             .flat_map(|(row, low, high)| {
@@ -51,6 +49,17 @@ pub fn tier_near_zero<const ROWS: usize, const WIDTH: usize>(tier: &Tier<ROWS, W
     largest(&Span::of_nothing_lost(high, 1.16 * high), tier, 0, 0.0, high)
 }
 
+/// From where to where arguments may be taken for those of a row: a place that is rounded may belong to the row beside.
+fn reach((low, high): (f64, f64), shift: f64) -> (f64, f64) {
+    let margin = half_unit(high + shift);
+    (low - margin, high + margin)
+}
+
+/// Distances from the end of a row in its widths, from `least` to `most`, which are off by a part `place` of it.
+fn distances(least: f64, most: f64, place: f64) -> Rounded {
+    Rounded::new(least.next_down() - place, most.next_up() + place, place)
+}
+
 /// The largest error of a row relative to `epsilon`, approximation and roundings.
 fn largest<const ROWS: usize, const WIDTH: usize>(
     span: &Span,
@@ -68,7 +77,7 @@ fn largest<const ROWS: usize, const WIDTH: usize>(
     (0..PARTS).fold(0.0, |worst, part| {
         let at = |part: u32| low + (high - low) * (f64::from(part) / f64::from(PARTS));
         let (least, most) = ((end - at(part + 1)) / width, (end - at(part)) / width);
-        let rounded = tier.form(row, Rounded::new(least.next_down() - place, most.next_up() + place, place));
+        let rounded = tier.form(row, distances(least, most, place));
         worse(worst, rounded.relative(missed))
     })
 }
@@ -76,4 +85,22 @@ fn largest<const ROWS: usize, const WIDTH: usize>(
 /// The larger of two errors; one that is no number proves nothing.
 fn worse(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::INFINITY } else { a.max(b) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_reach_as_far_as_rounded_places() {
+        let half = 2f64.powi(-51);
+        assert_eq!(reach((1.0, 1.5), 3.0), (1.0 - half, 1.5 + half));
+        let found = format!("{:?}", distances(0.25, 0.5, 1e-9));
+        let expected = Rounded::new(0.25f64.next_down() - 1e-9, 0.5f64.next_up() + 1e-9, 1e-9);
+        assert_eq!(found, format!("{expected:?}"));
+        assert_eq!(
+            [(1.0, f64::NAN), (f64::NAN, 1.0), (2.0, 3.0)].map(|(a, b)| worse(a, b)),
+            [f64::INFINITY, f64::INFINITY, 3.0]
+        );
+    }
 }
