@@ -43,7 +43,8 @@ pub fn beta(s: Ratio<i64>, bits: u32) -> Ball {
     let whole = (p - 1) / q;
     let terms = BetaTerms { p: p - whole * q, q };
     // Guard for the prefactors and the shift: each of a handful of operations costs a bit.
-    terms.beta(bits + 32) * shift(terms.p, q, whole, bits + 32)
+    let prec = bits.saturating_add(32);
+    terms.beta(prec) * shift(terms.p, q, whole, prec)
 }
 
 /// The terms for `s = p/q`, `0 < p <= q`, multiplied by `q^2`.

@@ -44,7 +44,7 @@ const MOST_TERMS: u64 = 50_000_000;
 /// ```
 pub fn iterated_beta(exponents: &[Ratio<i64>], bits: u32) -> Result<Ball, ClosedError> {
     let length = exponents.len();
-    let prec = bits + 64 + 8 * u32::try_from(length).unwrap_or(u32::MAX / 16);
+    let prec = working_bits(bits, length);
     // outer[i][j], inner[i][j]: the integrals of the letters i..j over -1 .. -c and over 0 .. c, c = sqrt(1/2).
     let table = |series: Series| -> Result<Vec<Vec<Ball>>, ClosedError> {
         let mut table = vec![vec![Ball::one(); length + 1]; length + 1];
@@ -70,6 +70,16 @@ pub fn iterated_beta(exponents: &[Ratio<i64>], bits: u32) -> Result<Ball, Closed
     // The innermost letters come first on the path: -1 .. -c, then -c .. 0, 0 .. c, c .. 1.
     let path = join(&join(&outer_back, &inner), &join(&inner_back, &outer));
     Ok(path[0][length].with_prec(bits))
+}
+
+/// Bits of working precision for so many letters.
+fn working_bits(bits: u32, length: usize) -> u32 {
+    bits + 64 + 8 * u32::try_from(length).unwrap_or(u32::MAX / 16)
+}
+
+/// The last letters, of which there are `i + 1`.
+fn last_letters(exponents: &[Ratio<i64>], i: usize) -> &[Ratio<i64>] {
+    &exponents[exponents.len() - 1 - i..]
 }
 
 /// Chen's rule: the integrals over a path of two pieces; `later` belongs to the second, the first letters.
@@ -141,7 +151,7 @@ impl Series {
             }
         }
         let value = |(i, suffix): (usize, &Suffix)| {
-            let letters = &exponents[exponents.len() - 1 - i..];
+            let letters = last_letters(exponents, i);
             let sum = suffix.sum.clone().widened(&self.tail(suffix, letters, terms));
             self.scaled(sum, suffix, prec)
         };
@@ -183,8 +193,7 @@ impl Series {
         let small: u64 =
             exponents.iter().map(|p| u64::from(64 - (*p.denom() / p.numer()).leading_zeros())).sum();
         let logarithm = 8 + u64::from(64 - (u64::from(prec) + sigma + letters).leading_zeros());
-        let growth =
-            if matches!(self, Self::Inner) { sigma.saturating_mul(logarithm).max(4 * sigma) } else { 0 };
+        let growth = if matches!(self, Self::Inner) { sigma.saturating_mul(logarithm) } else { 0 };
         let terms = (u64::from(prec) + small + 32 + logarithm).saturating_add(growth);
         if terms > MOST_TERMS {
             return Err(ClosedError::TooManyTerms { terms });
@@ -331,7 +340,13 @@ mod tests {
         // 300 bits, 4 for the small exponent, 32 to spare and the logarithm 8 + 9; inside sigma of it.
         let terms = [Series::Outer, Series::Inner].map(|series| series.terms(&letters, 300).unwrap());
         assert_eq!(terms, [300 + 4 + 32 + 17, 300 + 4 + 32 + 17 + 34]);
-        // Where sigma is large: 4 sigma at least, and no more terms than anybody sums.
+        // With sigma and the letters, 4, from 252 bits on the logarithm is one more.
+        let other = |prec| Series::Outer.terms(&letters, prec).unwrap();
+        assert_eq!([250, 251, 252, 256].map(other), [250 + 52, 251 + 52, 252 + 53, 256 + 53]);
+        assert_eq!([(100, 1), (100, 5)].map(|(bits, length)| working_bits(bits, length)), [172, 204]);
+        let three = ratios(&[(1, 2), (3, 4), (5, 6)]);
+        assert_eq!([0, 1, 2].map(|i| last_letters(&three, i)), [&three[2..], &three[1..], &three[..]]);
+        // Where sigma is large no more terms than anybody sums.
         assert!(matches!(
             Series::Inner.terms(&ratios(&[(6_000_000, 1)]), 64),
             Err(ClosedError::TooManyTerms { .. })

@@ -21,11 +21,20 @@ use rug::ops::Pow;
 /// If `x` is not positive.
 pub(crate) fn rational_power(x: &BigRational, exponent: Ratio<i64>, bits: u32) -> Ball {
     let (p, q) = (*exponent.numer(), *exponent.denom());
-    let guard = 64 + 2 * (64 - p.unsigned_abs().leading_zeros());
+    let prec = bits.saturating_add(guard(p));
     if q == 1 {
-        return Ball::from_rational(x, bits + guard).powi(p).with_prec(bits);
+        return Ball::from_rational(x, prec).powi(p).with_prec(bits);
     }
-    inverse_root(x, q, bits + guard).powi(-p).with_prec(bits)
+    inverse_root(x, q, prec).powi(-p).with_prec(bits)
+}
+
+/// Bits that a power loses, and some to spare.
+fn guard(p: i64) -> u32 {
+    64 + 2 * bits_of(p)
+}
+
+fn bits_of(n: i64) -> u32 {
+    64 - n.unsigned_abs().leading_zeros()
 }
 
 /// `x^(-1/q)`.
@@ -35,7 +44,7 @@ fn inverse_root(x: &BigRational, q: i64, bits: u32) -> Ball {
     let mut z = Ball::exact(guess);
     let mut known: u32 = 60;
     // Each step doubles the known bits, less what z^q loses.
-    let loss = 8 + 64 - q.unsigned_abs().leading_zeros();
+    let loss = 8 + bits_of(q);
     let mut steps = vec![bits];
     while let Some(&last) = steps.last()
         && last > known
@@ -44,7 +53,7 @@ fn inverse_root(x: &BigRational, q: i64, bits: u32) -> Ball {
     }
     steps.pop();
     for prec in steps.into_iter().rev() {
-        z = newton_step(x, q, z.mid(), prec + loss);
+        z = newton_step(x, q, z.mid(), prec.saturating_add(loss));
         known = prec;
     }
     let _ = known;
@@ -95,6 +104,12 @@ mod tests {
                 assert!(*found.rad() <= Float::with_val(64, &expected >> (bits - 2)), "{x} {p}/{q} {bits}");
             }
         }
+    }
+
+    #[test]
+    fn powers_have_bits_to_lose() {
+        assert_eq!([0, 1, -3, 1000].map(bits_of), [0, 1, 2, 10]);
+        assert_eq!([1, -3, 1000].map(guard), [66, 68, 84]);
     }
 
     /// From places that are off by a known part; what is proved is at most twice the square of the residual.

@@ -93,6 +93,50 @@ fn weight(shop: &Workshop, image: &Fixed) -> f64 {
     low
 }
 
+/// Sums over the sizes of the coefficients `y_k`, with what `eps^(q + p k)` makes of them: by `|q| + |p| k` for each derivative.
+#[derive(Clone, Copy, Debug)]
+struct Sums {
+    /// Of `y_k` and of `k y_k`.
+    total: Magnitude,
+    slope: Magnitude,
+    /// By `k (|q| + |p| k)` and by `(|q| + |p| k)^2`.
+    by_image: Magnitude,
+    by_square: Magnitude,
+}
+
+impl Sums {
+    fn of(coefficients: &[Magnitude], q: Magnitude, p: Magnitude) -> Self {
+        let sum = |of: &dyn Fn(Magnitude) -> Magnitude| -> Magnitude {
+            coefficients.iter().enumerate().map(|(k, &c)| c * of(exact(k as f64))).sum()
+        };
+        let stretch = |k: Magnitude| q + p * k;
+        Self {
+            total: sum(&|_| Magnitude::ONE),
+            slope: sum(&|k| k),
+            by_image: sum(&|k| k * stretch(k)),
+            by_square: sum(&|k| stretch(k) * stretch(k)),
+        }
+    }
+
+    /// Of the true compression: what it misses counts with the largest weight.
+    fn second_derivative(self, missed: Magnitude, last: Magnitude, norm: Magnitude) -> Magnitude {
+        (self.by_square + missed * last * last) * norm * Magnitude::exact(2.0)
+    }
+}
+
+/// What composing a series of so many terms and this sum of coefficients costs: every power of `w` up to the step, every block
+/// and every product with the giant step is rounded.
+fn composing(len: usize, sum: Magnitude) -> Magnitude {
+    let len = len as f64;
+    exact((PRODUCT + 1.0) * len) * exact(len + 3.0 * len.sqrt() + 4.0) * (Magnitude::ONE + sum)
+}
+
+/// The error of the derivative: its product is rounded, and so are both parts of its second factor, which are off by as much.
+fn derivative_error(len: usize, norm: Magnitude, parts: Magnitude, of_power: Magnitude) -> Magnitude {
+    let len = len as f64;
+    exact(PRODUCT * len) + norm * (exact(2.0 * len) + parts) + of_power * Magnitude::exact(2.0)
+}
+
 /// Proves how far `exp(L)` is from the restitution that belongs to the compression `y` of the given error.
 ///
 /// `None` if the norms are too large.
@@ -121,13 +165,8 @@ pub(crate) fn prove(
     }
 
     let coefficients: Vec<Magnitude> = (0..len).map(|k| y.size(k, i64::from(shop.bits()))).collect();
-    let moment = |of: &dyn Fn(Magnitude) -> Magnitude| -> Magnitude {
-        coefficients.iter().enumerate().map(|(k, &c)| c * of(exact(k as f64))).sum()
-    };
-    let (total, slope) = (moment(&|_| Magnitude::ONE), moment(&|k| k));
-    // Every power of w up to the step, every block and every product with the giant step is rounded.
-    let steps = exact(len as f64 + 3.0 * (len as f64).sqrt() + 4.0);
-    let composing = |sum: Magnitude| exact((PRODUCT + 1.0) * len as f64) * steps * (Magnitude::ONE + sum);
+    let sums = Sums::of(&coefficients, q_size, p_size);
+    let composing = |sum: Magnitude| composing(len, sum);
 
     let integers: Vec<Integer> = (0..len).map(|k| y.integer(k)).collect();
     let slopes: Vec<Integer> =
@@ -136,30 +175,22 @@ pub(crate) fn prove(
     let mut defect = shop.product(&elastic.series, &at_image, len);
     defect.add(&y.clone().negated());
     let defect = scales.defect(&defect)
-        + elastic.norm * (composing(total) + slope * w_error)
-        + elastic.error * total * Magnitude::exact(2.0)
+        + elastic.norm * (composing(sums.total) + sums.slope * w_error)
+        + elastic.error * sums.total * Magnitude::exact(2.0)
         + y_error * (elastic.norm + Magnitude::ONE);
 
-    // Of the true compression: what it misses counts with the largest weight.
     let last = q_size + p_size * exact(len as f64);
-    let second = (moment(&|k| (q_size + p_size * k) * (q_size + p_size * k)) + y_error * small * last * last)
-        * elastic.norm
-        * Magnitude::exact(2.0);
-    let by_image = moment(&|k| k * (q_size + p_size * k));
+    let second = sums.second_derivative(y_error * small, last, elastic.norm);
     let m = derivative(shop, &elastic.series, &at_image, &compose(shop, &slopes, &w, len), exponents, len);
     let inverse = reciprocal(shop, &m);
     let mut gap = shop.product(&m, &inverse, len);
     gap.add(&one_padded(shop, len).negated());
     let inverse_norm = scales.norm(&inverse);
-    // The product is rounded, and so are both parts of its second factor.
-    let m_error = exact(PRODUCT * len as f64)
-        + elastic.norm
-            * (exact(2.0 * len as f64)
-                + composing(total) * q_size
-                + composing(slope) * p_size
-                + by_image * w_error
-                + y_error * last)
-        + elastic.error * (q_size * total + p_size * slope) * Magnitude::exact(2.0);
+    // The parts of the second factor.
+    let parts = composing(sums.total) * q_size + composing(sums.slope) * p_size;
+    let given = sums.by_image * w_error + y_error * last;
+    let of_power = elastic.error * (q_size * sums.total + p_size * sums.slope);
+    let m_error = derivative_error(len, elastic.norm, parts + given, of_power);
     let gap = (scales.defect(&gap) + inverse_norm * m_error) * small;
     let inverse_norm = inverse_norm * over_one_minus(gap)?;
     let logarithm = inverse_norm * defect * Magnitude::exact(2.0);

@@ -137,9 +137,9 @@ fn bound_in(
     let inverse = inverse * over_one_minus(gap).ok_or(Unbounded::Large)?;
     let shift_error = inverse * residual * Magnitude::exact(2.0);
     // The derivatives of the true polynomial: those of the one found and of its error.
-    let third = moment(3) + slope_error * exact(rows * rows) * small;
+    let third = third_derivative(moment(3), slope_error * small, rows);
     let contraction = third * inverse * shift_error * small * Magnitude::exact(4.0);
-    let inside = within(size + shift_error * small, 1.0) && slope_error * small <= moment(1);
+    let inside = is_inside(size, shift_error * small, slope_error * small, moment(1));
     (inside && within(contraction, CONTRACTION))
         .then(|| error + evaluation(0) + moment(1) * shift_error * Magnitude::exact(2.0))
         .ok_or(Unbounded::Large)
@@ -150,4 +150,33 @@ fn columns(near: &Neighbourhood, shop: &Workshop) -> Vec<Magnitude> {
     let unit = i64::from(shop.bits());
     let column = |l: usize| near.rows.iter().skip(l).map(|row| row.size(l, unit)).sum();
     (0..near.rows.len()).map(column).collect()
+}
+
+/// The third derivative of the true polynomial: that of the one found, and of its error, in whose `rows` degrees every place counts.
+fn third_derivative(found: Magnitude, slope_error: Magnitude, rows: f64) -> Magnitude {
+    found + slope_error * exact(rows * rows)
+}
+
+/// Whether the true turning point is in the unit ball, and its slope error no larger than the slope.
+fn is_inside(shift: Magnitude, shift_error: Magnitude, slope_error: Magnitude, slope: Magnitude) -> bool {
+    within(shift + shift_error, 1.0) && slope_error <= slope
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_turning_point_is_inside_with_its_errors() {
+        let exact = |x: f64| Magnitude::exact(x);
+        let inside = |numbers: [f64; 4]| {
+            let [shift, shift_error, slope_error, slope] = numbers.map(exact);
+            is_inside(shift, shift_error, slope_error, slope)
+        };
+        assert!(inside([0.5, 0.25, 0.1, 0.1]));
+        assert!(!inside([0.5, 0.75, 0.1, 0.1]) && !inside([0.9, 0.2, 0.1, 1.0]));
+        assert!(!inside([0.5, 0.25, 0.2, 0.1]));
+        let third = third_derivative(exact(5.0), exact(0.5), 7.0).to_f64();
+        assert!((29.5..29.5 * (1.0 + 1e-11)).contains(&third), "{third}");
+    }
 }

@@ -240,8 +240,10 @@ mod tests {
     fn blocks_give_sums(shop: &Workshop) {
         let (block, size, rows) = (4, 12, 23);
         let row = |k: usize, seed: i64| -> Fixed {
-            let value =
-                |j: usize| Integer::from((k as i64 * 7919 + j as i64 * 104_729 + seed) % 1000 - 500) << 50;
+            let value = |j: usize| {
+                Integer::from((k as i64 * 7919 + j as i64 * 104_729 + seed) % 1000 - 500)
+                    << (shop.bits() - 14)
+            };
             Fixed::from_integers(&(0..5).map(value).collect::<Vec<_>>(), shop.width())
         };
         let (mut a, mut b) = (Rows::new(block), Rows::new(block));

@@ -203,3 +203,26 @@ fn numbers_are_taken_as_bounds() {
         assert!(taken >= x * (1.0 + 9e-13) && taken <= x * (1.0 + 2e-12), "{x}");
     }
 }
+
+/// The sums and errors that the proof adds up, from their formulas.
+#[test]
+fn parts_of_the_bound_are_those_of_their_formulas() {
+    let exact = |x: f64| Magnitude::exact(x);
+    let near = |found: Magnitude, expected: f64| {
+        let found = found.to_f64();
+        assert!(found >= expected && found <= expected * (1.0 + 1e-11), "{found} {expected}");
+    };
+    let sizes = [1.0, 0.75, 0.5, 3.0];
+    let (q, p) = (0.25, 1.5);
+    let sums = Sums::of(&sizes.map(exact), exact(q), exact(p));
+    let sum = |of: &dyn Fn(f64) -> f64| (0..4).map(|k| sizes[k] * of(k as f64)).sum::<f64>();
+    near(sums.total, 5.25);
+    near(sums.slope, sum(&|k| k));
+    near(sums.by_image, sum(&|k| k * (q + p * k)));
+    near(sums.by_square, sum(&|k| (q + p * k).powi(2)));
+    let second = sums.second_derivative(exact(0.125), exact(6.25), exact(3.0));
+    near(second, (sum(&|k| (q + p * k).powi(2)) + 0.125 * 6.25 * 6.25) * 3.0 * 2.0);
+    near(composing(9, exact(2.5)), (PRODUCT + 1.0) * 9.0 * (9.0 + 3.0 * 3.0 + 4.0) * 3.5);
+    let error = derivative_error(7, exact(1.5), exact(20.0), exact(5.0));
+    near(error, PRODUCT * 7.0 + 1.5 * (14.0 + 20.0) + 10.0);
+}
