@@ -193,6 +193,7 @@ impl Series {
         let small: u64 =
             exponents.iter().map(|p| u64::from(64 - (*p.denom() / p.numer()).leading_zeros())).sum();
         let logarithm = 8 + u64::from(64 - (u64::from(prec) + sigma + letters).leading_zeros());
+        // At least nine times sigma: the tail's `N >= 4 sigma` holds.
         let growth = if matches!(self, Self::Inner) { sigma.saturating_mul(logarithm) } else { 0 };
         let terms = (u64::from(prec) + small + 32 + logarithm).saturating_add(growth);
         if terms > MOST_TERMS {

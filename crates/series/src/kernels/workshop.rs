@@ -403,6 +403,13 @@ mod tests {
             assert!(shop.add(&mut sum, &vec![(1, &small, &small); terms]).is_some());
             assert_eq!(sum.extent, extent(bits + 1, bits + 1));
         }
+        // A larger product decides, with its own number of terms.
+        let larger = row(110, 2);
+        for (terms, bits) in [(1, 223 + 1), (3, 223 + 2), (4, 223 + 3)] {
+            let mut sum = shop.sum(&[(1, &small, &small)]);
+            shop.add(&mut sum, &vec![(1, &larger, &larger); terms]).unwrap();
+            assert_eq!(sum.extent, extent(bits + 1, bits + 1));
+        }
         assert!(!shop.overflowed());
         // 396 bits fit into eight primes.
         let mut sum = shop.sum(&[(1, &small, &small)]);
