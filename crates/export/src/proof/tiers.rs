@@ -93,8 +93,8 @@ mod tests {
 
     #[test]
     fn rows_reach_as_far_as_rounded_places() {
-        let half = 2f64.powi(-51);
-        assert_eq!(reach((1.0, 1.5), 3.0), (1.0 - half, 1.5 + half));
+        let half = 2f64.powi(-53);
+        assert_eq!(reach((1.0, 1.5), 0.25), (1.0 - half, 1.5 + half));
         let found = format!("{:?}", distances(0.25, 0.5, 1e-9));
         let expected = Rounded::new(0.25f64.next_down() - 1e-9, 0.5f64.next_up() + 1e-9, 1e-9);
         assert_eq!(found, format!("{expected:?}"));
